@@ -36,22 +36,22 @@ void check_sizes(const View& view, const RadianceInput& input) {
     if (!input.sun_fraction.empty()) expect("sun_fraction", input.sun_fraction.size());
     expect("sky_view", input.views.sky.size());
     if (input.views.others.row.size() != n + 1) {
-        throw InputError("render", "the exchange rows do not fit the facets");
+        throw InputError("render", "the exchange rows do not match the facets");
     }
     if (view.facets > n) {
-        throw InputError("render", "the view was cast on other facets");
+        throw InputError("render", "the view was traced with other facets");
     }
 }
 
 void check_pixel_sun(const PixelSun& sun, const View& view) {
     if (!sun.sighting.empty() && sun.sighting.back() >= view.sighting.size()) {
-        throw InputError("render", "the sun of pixels was cast for another view");
+        throw InputError("render", "the sun visibility of pixels belongs to another view");
     }
 }
 
 void check_lit(const LitFacets& lit, std::size_t seen, std::size_t bands) {
     if (lit.bounds.size() != bands || lit.target.size() != seen) {
-        throw InputError("render", "the lit facets were found for another view or other bands");
+        throw InputError("render", "the illuminated facets belong to another view or other bands");
     }
 }
 
@@ -131,12 +131,13 @@ void add_notes(std::size_t b, const SceneLight& light, const PathTable& path, co
     frame.notes["band." + name] =
         fmt::format("{:g} to {:g} um", of.band.from_um(), of.band.to_um());
     frame.notes["error." + name] = fmt::format(
-        "{:.2g} mK from {} ranges, {} heights (straight between {} and {}), {} modes ({} of heat) "
-        "of {} channels",
+        "interpolation error {:.2g} mK with {} ranges, {} heights (linear between {} and {}), {} "
+        "modes ({} thermal) for {} channels",
         1e3 * (path.error(b) + eye.error), path.grid().ranges, path.grid().heights, eye.ranges,
         eye.heights, of.basis.size(), of.basis.thermal, of.channels.size());
     frame.notes["bounces." + name] = fmt::format(
-        "{} followed, the second at {} of {} facets; the rest is at most {:.2g} W m-2 sr-1",
+        "{} reflections computed, the second at {} of {} facets; the remainder is at most {:.2g} W "
+        "m-2 sr-1",
         light.radiosity.bounces(), light.radiosity.followed(), light.lit.facet.size(),
         left_over(of, light.state.extent, light.lit.bounds[b], light.bounces[b]));
 }

@@ -69,9 +69,10 @@ void check_vertices(std::span<const Eigen::Vector3d> vertex) {
         }
         if (v.cwiseAbs().maxCoeff() > furthest) {
             throw InputError(
-                "mesh", fmt::format("vertex {} lies {:.0f} km from the scene's origin; a scene "
-                                    "reaches no further than {:.0f} km",
-                                    i, v.norm() / 1e3, furthest / 1e3));
+                "mesh",
+                fmt::format(
+                    "vertex {} is {:.0f} km from the scene's origin, expected at most {:.0f} km", i,
+                    v.norm() / 1e3, furthest / 1e3));
         }
     }
 }

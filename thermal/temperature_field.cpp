@@ -54,7 +54,7 @@ struct Variables {
 constexpr const char* heat_equation =
     "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
-    "of the facet's front; between the solver's steps both sides are on the straight line";
+    "of the facet's front; between the solver's steps both sides are interpolated linearly";
 
 /// Names that are more than an attribute holds: a variable NAME_name, which the attribute
 /// `flag_meanings_variable` of the numbers' own names.
@@ -67,7 +67,7 @@ void declare_long_names(const NetcdfFile& file, int variable, const char* name,
     for (const std::string& word : words) text.push_back(word.c_str());
     const int all =
         file.variable(names.c_str(), NC_STRING, {file.dimension(names.c_str(), words.size())});
-    file.text(all, "long_name", std::string(name) + ": what its numbers mean, from 0 on");
+    file.text(all, "long_name", std::string(name) + ": meaning of its values, from 0");
     file.text(variable, "flag_meanings_variable", names);
     file.must(nc_put_var_string(file.id(), all, text.data()));
 }
@@ -103,9 +103,9 @@ void declare_times(const NetcdfFile& file, int time_dim, Variables& variables) {
     file.text(variables.time, "units", "seconds since 1970-01-01T00:00:00Z");
     file.text(variables.time, "calendar", "standard");
     variables.clock = file.variable("local_time", NC_STRING, {time_dim});
-    file.text(variables.clock, "long_name", "time on the scene's clock, with its offset from UTC");
+    file.text(variables.clock, "long_name", "time on the scene's clock, with its UTC offset");
     variables.solar = file.variable("solar_time", NC_DOUBLE, {time_dim});
-    file.text(variables.solar, "long_name", "apparent solar time at the site: 12 is its true noon");
+    file.text(variables.solar, "long_name", "apparent solar time at the site: 12 is true noon");
     file.text(variables.solar, "units", "hour");
 }
 
@@ -192,9 +192,10 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     }
     if (!field.solved_as.empty()) {
         variables.solved_as = file.variable(solved_as_name, NC_INT, {facet_dim});
-        file.text(variables.solved_as, "long_name",
-                  "facet whose temperatures this one has: itself where it was solved, else one of "
-                  "its kind that stands for it, as no picture of the run shows it");
+        file.text(
+            variables.solved_as, "long_name",
+            "representative facet whose temperatures this facet has: itself where it was solved, "
+            "otherwise a representative, because no picture of the run shows this facet");
         file.text(variables.solved_as, "mesh", "mesh");
         file.text(variables.solved_as, "location", "face");
     }

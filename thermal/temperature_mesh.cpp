@@ -51,7 +51,7 @@ class MeshReader {
             int dim = 0;
             good = nc_inq_dimid(id_, dims[k], &dim) == NC_NOERR && dim == shape[k];
         }
-        if (!good) fail(fmt::format("{} is not of a temperature field's shape", name));
+        if (!good) fail(fmt::format("{} does not have the shape of a temperature field", name));
         return found;
     }
     bool has(const char* name) const {
@@ -75,7 +75,7 @@ class MeshReader {
         double value = 0.0;
         std::size_t count = 0;
         must(nc_inq_attlen(id_, NC_GLOBAL, name, &count), fmt::format("attribute '{}'", name));
-        if (count != 1) fail(fmt::format("{} is not one number", name));
+        if (count != 1) fail(fmt::format("{} is not a single number", name));
         must(nc_get_att_double(id_, NC_GLOBAL, name, &value), fmt::format("attribute '{}'", name));
         return value;
     }
@@ -113,7 +113,7 @@ class MeshReader {
         std::vector<int> number = integers(name, {"facet"}, facets);
         for (const int n : number) {
             if (n < 0 || std::size_t(n) >= names.size() || n > 0xFFFF) {
-                fail(fmt::format("{} holds {}, which has no name", name, n));
+                fail(fmt::format("{} has the value {}, which has no name", name, n));
             }
         }
         return number;
@@ -133,7 +133,7 @@ class MeshReader {
         if (local.ends_with('Z')) return 0.0;
         if (std::sscanf(local.c_str() + begin, "%c%2d:%2d", &sign, &hours, &minutes) != 3 ||
             (sign != '+' && sign != '-')) {
-            fail("its local times do not tell their offset from UTC");
+            fail("its local times have no UTC offset");
         }
         return (sign == '-' ? -1.0 : 1.0) * (3600.0 * hours + 60.0 * minutes);
     }
@@ -163,7 +163,8 @@ TemperatureMesh load_temperature_mesh(const fs::path& path) {
     note_file_read(path);
     check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
+        throw InputError(path.string(),
+                         fmt::format("is not a netCDF file ({})", nc_strerror(status)));
     }
     const NetcdfFile file(path, id);
     const MeshReader in(file, path);
@@ -171,7 +172,7 @@ TemperatureMesh load_temperature_mesh(const fs::path& path) {
     if (in.length("corner") != 3) in.fail("its facets are not triangles");
     // What is stored compressed is at least a thousandth.
     if (double(facets + vertices) * 12.0 > 2e3 * double(fs::file_size(path))) {
-        in.fail("claims more facets than so small a file can hold");
+        in.fail("declares more facets than a file of this size can contain");
     }
     TemperatureMesh mesh;
     mesh.site.latitude_deg = in.attribute("site_latitude_deg");
@@ -185,11 +186,11 @@ TemperatureMesh load_temperature_mesh(const fs::path& path) {
                              north = in.floats("north", vertices), up = in.floats("up", vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
         mesh.facets.vertex.emplace_back(east[v], north[v], up[v]);
-        if (!mesh.facets.vertex.back().allFinite()) in.fail("holds a place that is not finite");
+        if (!mesh.facets.vertex.back().allFinite()) in.fail("has a place that is not finite");
     }
     const std::vector<int> corner = in.integers("corner_of_facet", {"facet", "corner"}, 3 * facets);
     for (const int v : corner) {
-        if (v < 0 || std::size_t(v) >= vertices) in.fail("holds a corner that is no vertex");
+        if (v < 0 || std::size_t(v) >= vertices) in.fail("has a corner that is not a vertex");
     }
     for (std::size_t f = 0; f < facets; ++f) {
         mesh.facets.corner.push_back({std::uint32_t(corner[3 * f]),

@@ -17,11 +17,11 @@ struct CoverName {
     float SurfaceCover::*value;
 };
 inline constexpr std::array<CoverName, 3> cover_names{{
-    {"wet_share", "", "share of the facet that is wet, content over capacity of what it holds",
+    {"wet_share", "", "wet share of the facet: content divided by capacity of its store",
      &SurfaceCover::wet},
-    {"snow_cover", "surface_snow_area_fraction", "share of the facet that snow or hoar hides",
+    {"snow_cover", "surface_snow_area_fraction", "share of the facet covered by snow or hoar",
      &SurfaceCover::snow},
-    {"snow_albedo", "", "broadband albedo of that snow; 0 where none lies",
+    {"snow_albedo", "", "broadband albedo of that snow; 0 without snow",
      &SurfaceCover::snow_albedo},
 }};
 
@@ -32,17 +32,17 @@ struct TermName {
 };
 inline constexpr std::array<TermName, heat_terms> heat_term_names{{
     {"absorbed_sunlight", "surface_net_downward_shortwave_flux",
-     "sunlight absorbed by the facet, without what it lets through"},
+     "sunlight absorbed by the facet, without transmitted sunlight"},
     {"absorbed_longwave", "", "longwave of sky and other facets absorbed by the facet"},
     {"internal_heat", "", "heat released at the facet's surface"},
     {"emitted_longwave", "", "longwave emitted by the facet"},
-    {"sensible_heat", "surface_upward_sensible_heat_flux", "heat given to the air"},
-    {"latent_heat", "surface_upward_latent_heat_flux", "heat carried away by vapour"},
+    {"sensible_heat", "surface_upward_sensible_heat_flux", "sensible heat flux to the air"},
+    {"latent_heat", "surface_upward_latent_heat_flux", "latent heat flux by vapour"},
     {"melting_heat", "",
-     "heat taken by frost melting on the surface; negative: given by water freezing there"},
+     "heat absorbed by melting frost on the surface; negative: heat released by freezing"},
     {"conducted_heat", "",
-     "heat taken by what lies below, its storage included, as the conduction's own solution has "
-     "it"},
+     "heat conducted to the layers below, including their storage, as the conduction solver "
+     "computes it"},
 }};
 
 inline constexpr const char* temperatures_title = "diurna facet temperatures";

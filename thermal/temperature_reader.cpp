@@ -33,7 +33,7 @@ std::vector<std::uint32_t> read_solved_as(const NetcdfFile& file, std::size_t fa
                       nc_get_var_int(file.id(), variable, number.data()) == NC_NOERR &&
                       std::all_of(number.begin(), number.end(),
                                   [&](int n) { return n >= 0 && std::size_t(n) < facets; });
-    if (!good) throw InputError(path.string(), "solved_as is not a facet for each facet");
+    if (!good) throw InputError(path.string(), "solved_as does not name a facet for each facet");
     return {number.begin(), number.end()};
 }
 
@@ -52,7 +52,7 @@ CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size
         if (nc_inq_varndims(file.id(), variable, &rank) != NC_NOERR || rank != 2 ||
             nc_inq_vardimid(file.id(), variable, shape.data()) != NC_NOERR || shape[0] != dims[0] ||
             shape[1] != dims[1]) {
-            throw fail(of.name, "is not (time, facet)");
+            throw fail(of.name, "does not have the dimensions (time, facet)");
         }
         if (all.empty()) {
             all.facet.resize(facets);
@@ -65,7 +65,7 @@ CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size
         }
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (!(values[n] >= 0.0f && values[n] <= 1.0f)) {
-                throw fail(of.name, "holds values that are not 0 to 1");
+                throw fail(of.name, "has values outside 0 to 1");
             }
             all.cover[n].*of.value = values[n];
         }
@@ -102,7 +102,7 @@ void check_covers(const TemperatureField& field, std::span<const Instant> wanted
             continue;
         }
         throw InputError(file.string(),
-                         fmt::format("holds temperatures from {} to {}, expected some at {}",
+                         fmt::format("has temperatures from {} to {}, expected some at {}",
                                      format_instant(field.instant.front()),
                                      format_instant(field.instant.back()), format_instant(when)));
     }
@@ -117,7 +117,7 @@ TemperatureField load_temperature_field(const fs::path& path) {
     note_file_read(path);
     check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw fail(fmt::format("is no netCDF file ({})", nc_strerror(status)));
+        throw fail(fmt::format("is not a netCDF file ({})", nc_strerror(status)));
     }
     const NetcdfFile file(path, id);
     const auto must = [&](int status, const char* what) {
@@ -132,22 +132,22 @@ TemperatureField load_temperature_field(const fs::path& path) {
     must(nc_inq_varid(id, "time", &time), "variable 'time'");
     must(nc_inq_varid(id, "surface_temperature", &kelvin), "variable 'surface_temperature'");
     must(nc_inq_varndims(id, kelvin, &rank), "shape");
-    if (rank != 2) throw fail("surface_temperature is not (time, facet)");
+    if (rank != 2) throw fail("surface_temperature does not have the dimensions (time, facet)");
     must(nc_inq_vardimid(id, kelvin, dims), "shape");
     int time_rank, time_of_time;
     must(nc_inq_varndims(id, time, &time_rank), "times");
-    if (time_rank != 1) throw fail("time is not (time)");
+    if (time_rank != 1) throw fail("time does not have the dimension (time)");
     if (!counts_from_1970(file, time)) {
         throw fail("its time is not in 'seconds since 1970-01-01T00:00:00Z'");
     }
     must(nc_inq_vardimid(id, time, &time_of_time), "times");
     if (dims[0] != time_dim || dims[1] != facet_dim || time_of_time != time_dim) {
-        throw fail("surface_temperature is not (time, facet)");
+        throw fail("surface_temperature does not have the dimensions (time, facet)");
     }
-    if (instants == 0 || facets == 0) throw fail("holds no temperatures");
+    if (instants == 0 || facets == 0) throw fail("has no temperatures");
     // A short header may claim any size; what is stored compressed is at least a thousandth.
     if (double(instants) * double(facets) * sizeof(float) > 2e3 * double(fs::file_size(path))) {
-        throw fail("claims more temperatures than so small a file can hold");
+        throw fail("declares more temperatures than a file of this size can contain");
     }
 
     TemperatureField field{
@@ -156,16 +156,16 @@ TemperatureField load_temperature_field(const fs::path& path) {
     must(nc_get_var_double(id, time, seconds.data()), "readable times");
     must(nc_get_var_float(id, kelvin, field.kelvin.data()), "readable temperatures");
     for (const double s : seconds) {
-        if (!std::isfinite(s) || std::abs(s) > 1e12) throw fail("holds times that are not finite");
+        if (!std::isfinite(s) || std::abs(s) > 1e12) throw fail("has times that are not finite");
         field.instant.push_back(later(Instant{}, s));
     }
     if (std::adjacent_find(field.instant.begin(), field.instant.end(), std::greater_equal<>()) !=
         field.instant.end()) {
-        throw fail("holds times that do not ascend");
+        throw fail("has times that are not ascending");
     }
     if (std::any_of(field.kelvin.begin(), field.kelvin.end(),
                     [](float t) { return !(t >= 1.0f && t <= 5000.0f); })) {
-        throw fail("holds temperatures that are not from 1 to 5000 K");
+        throw fail("has temperatures outside 1 to 5000 K");
     }
     field.solved_as = read_solved_as(file, facets, facet_dim, path);
     field.water = read_cover(file, instants, facets, {dims[0], dims[1]}, path);
@@ -179,7 +179,8 @@ std::vector<float> load_heat_term(const fs::path& path, HeatTerm term,
     note_file_read(path);
     check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
+        throw InputError(path.string(),
+                         fmt::format("is not a netCDF file ({})", nc_strerror(status)));
     }
     const NetcdfFile file(path, id);
     if (nc_inq_varid(id, name.c_str(), &variable) != NC_NOERR) return {};
@@ -190,7 +191,8 @@ std::vector<float> load_heat_term(const fs::path& path, HeatTerm term,
                       nc_inq_dimlen(id, dims[0], &instants) == NC_NOERR &&
                       nc_inq_dimlen(id, dims[1], &facets) == NC_NOERR &&
                       instants == field.instant.size() && facets == field.facets;
-    if (!fits) throw InputError(path.string(), name + " is not of the temperatures' shape");
+    if (!fits)
+        throw InputError(path.string(), name + " does not have the shape of the temperatures");
     std::vector<float> watts(instants * facets);
     if (nc_get_var_float(id, variable, watts.data()) != NC_NOERR ||
         !std::all_of(watts.begin(), watts.end(), [](float w) { return std::isfinite(w); })) {

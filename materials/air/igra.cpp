@@ -9,6 +9,7 @@
 
 #include "materials/air/moist_air.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -119,18 +120,16 @@ std::vector<IgraLine> sounding_lines(const std::filesystem::path& file, std::str
     const std::string first = time_of_head(lines[heads.front()].text),
                       last = time_of_head(lines[heads.back()].text);
     if (time.empty() && heads.size() > 1) {
-        throw InputError(
-            file.string(),
-            fmt::format("holds {} soundings, from {} to {}", heads.size(), first, last),
-            fmt::format("name one: sounding_time = \"{}\"", last));
+        throw InputError(file.string(),
+                         fmt::format("has {} soundings, from {} to {}", heads.size(), first, last),
+                         fmt::format("select one: sounding_time = \"{}\"", last));
     }
     for (std::size_t k = 0; k < heads.size(); ++k) {
         if (!time.empty() && time_of_head(lines[heads[k]].text) != time.substr(0, 13)) continue;
         const std::size_t end = k + 1 < heads.size() ? heads[k + 1] : lines.size();
         return {lines.begin() + std::ptrdiff_t(heads[k]), lines.begin() + std::ptrdiff_t(end)};
     }
-    throw InputError(file.string(), fmt::format("holds no sounding of {}; it holds {}, from {} to "
-                                                "{}",
+    throw InputError(file.string(), fmt::format("has no sounding of {}; it has {}, from {} to {}",
                                                 time, heads.size(), first, last));
 }
 
@@ -190,15 +189,13 @@ SoundingTable read_igra(const std::filesystem::path& file, std::string_view text
     }
     if (filled > 0) {
         sounding.notes.push_back(
-            fmt::format("{}: heights of {} of {} levels are hydrostatic from "
-                        "the levels that have one",
+            fmt::format("{}: the heights of {} of {} levels are computed hydrostatically from the "
+                        "levels with a height",
                         file.string(), filled, levels.size()));
     }
     if (without > 0) {
-        sounding.notes.push_back(
-            fmt::format("{}: {} levels without pressure or temperature are "
-                        "passed over",
-                        file.string(), without));
+        sounding.notes.push_back(fmt::format("{}: {} without pressure or temperature skipped",
+                                             file.string(), number_of(without, "level")));
     }
     return sounding;
 }

@@ -56,12 +56,13 @@ Profile afgl_profile(const std::string& name) {
 void check(const Profile& profile) {
     const std::string where = "profile " + profile.name;
     const std::size_t levels = profile.height_km.size();
-    if (levels < 2) throw InputError(where, fmt::format("{} levels, expected 2 or more", levels));
+    if (levels < 2)
+        throw InputError(where, fmt::format("found {} levels, expected at least 2", levels));
     const auto same_length = [&](const std::vector<double>& v) { return v.size() == levels; };
     if (!same_length(profile.pressure_hPa) || !same_length(profile.temperature) ||
         !std::all_of(profile.mixing_ratio_ppm.begin(), profile.mixing_ratio_ppm.end(),
                      same_length)) {
-        throw InputError(where, "its columns differ in length");
+        throw InputError(where, "the columns differ in length");
     }
     for (std::size_t i = 0; i < levels; ++i) {
         const std::string at =

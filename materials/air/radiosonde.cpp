@@ -99,12 +99,13 @@ void add_level(const CsvTable& table, std::size_t row, const Columns& columns, c
     }
     if (row > 0 && !(z > sonde.height_km.back())) {
         throw InputError(table.where(row, columns.height) + ": " + table.header[columns.height],
-                         "heights must ascend, or descend, from level to level");
+                         "heights must ascend or descend from level to level");
     }
     if (row > 0 && !(p < sonde.pressure_hPa.back())) {
-        throw InputError(table.where(row, columns.pressure) + ": pressure_hPa",
-                         fmt::format("found {:g} above {:g}, expected it to fall with height", p,
-                                     sonde.pressure_hPa.back()));
+        throw InputError(
+            table.where(row, columns.pressure) + ": pressure_hPa",
+            fmt::format("found {:g} above {:g}, expected pressures that decrease with height", p,
+                        sonde.pressure_hPa.back()));
     }
     AirSample air = air_at(model, z);
     air.pressure_hPa = p;

@@ -125,7 +125,7 @@ void check_line(double height_km, double zenith_deg, double range_km) {
                          fmt::format("found {:g}°, expected 0 (up) to 180 (down)", zenith_deg));
     }
     if (!(range_km >= 0.0)) {
-        throw InputError("range", fmt::format("found {:g} km, expected zero or more", range_km));
+        throw InputError("range", fmt::format("found {:g} km, expected at least 0", range_km));
     }
     if (!(height_km >= lowest_km && height_km <= 1e6)) {
         throw InputError("height",

@@ -59,8 +59,8 @@ std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t p
     std::size_t first = 0;
     while (first < run.size() && run[first] == first) ++first;
     std::string note = fmt::format(
-        "{}: {} of {} levels left out, at which pressure does not fall or height does not rise "
-        "(the first: line {})",
+        "{}: {} of {} levels are skipped because pressure does not decrease or height does not "
+        "increase (the first: line {})",
         table.path.string(), left_out, levels.size(),
         table.line[std::min(first, table.line.size() - 1)]);
     CsvTable kept = table;

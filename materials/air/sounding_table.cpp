@@ -81,7 +81,7 @@ CsvTable read_list(const std::filesystem::path& file, const std::string& text) {
     }
     if (headers != 1) {
         throw InputError(file.string(),
-                         fmt::format("found {} soundings, expected one to a file", headers));
+                         fmt::format("found {} soundings, expected one per file", headers));
     }
     return table;
 }
@@ -127,12 +127,13 @@ bool is_sounding_list(const std::string& text) {
 SoundingTable read_sounding_table(const std::filesystem::path& file, const std::string& time) {
     const std::string text = read_text(file);
     if (text.starts_with("PK\x03\x04") || text.starts_with("\x1f\x8b")) {
-        throw InputError(file.string(), "is packed", "unpack it and name the file that it holds");
+        throw InputError(file.string(), "is compressed", "unpack it and use the file inside");
     }
     if (is_igra(text)) return read_igra(file, text, time);
     if (!time.empty()) {
-        throw InputError(file.string(), "is no file of several soundings, of which one has a time",
-                         "leave sounding_time out");
+        throw InputError(file.string(),
+                         "is not a file of several soundings; sounding_time needs one",
+                         "remove sounding_time");
     }
     if (is_sounding_list(text)) {
         CsvTable table = read_list(file, text);
@@ -140,7 +141,7 @@ SoundingTable read_sounding_table(const std::filesystem::path& file, const std::
         return {std::move(table), true};
     }
     if (text.find("%TITLE%") != std::string::npos && text.find("%RAW%") != std::string::npos) {
-        throw InputError(file.string(), "is a sounding of SHARPpy, which is not read",
+        throw InputError(file.string(), "is a sounding of SHARPpy, a format that is not supported",
                          "save its columns as CSV: pressure_hPa, height_m, temperature_C, "
                          "dew_point_C");
     }

@@ -44,7 +44,7 @@ void load_continuum(Tables& tables) {
         const double low = csv.number(row, lo), high = csv.number(row, hi);
         const double edge = um_of_wavenumber(high);
         if (!tables.edge_um.empty() && tables.edge_um.back() != edge) {
-            throw InputError(csv.where(row, hi), "bins are not contiguous");
+            throw InputError(csv.where(row, hi), "the bins are not contiguous");
         }
         if (tables.edge_um.empty()) tables.edge_um.push_back(edge);
         tables.edge_um.push_back(um_of_wavenumber(low));

@@ -33,12 +33,14 @@ void check(const Tape7Run& run, const Tape7Run& first, const std::string& name) 
         throw InputError(name, "the runs' wavenumbers differ, expected the same in all");
     }
     if (to_space(run) && run.zenith_deg > 90.0) {
-        throw InputError(name, fmt::format("a path to space under zenith angle {:g} deg, expected "
-                                           "0 to 90",
-                                           run.zenith_deg));
+        throw InputError(
+            name, fmt::format("found a path to space with zenith angle {:g} deg, expected 0 to 90",
+                              run.zenith_deg));
     }
     if (!to_space(run) && !(run.range_km > 0.0)) {
-        throw InputError(name, fmt::format("a path of range {:g} km", run.range_km));
+        throw InputError(
+            name,
+            fmt::format("found a path of range {:g} km, expected a positive range", run.range_km));
     }
 }
 
@@ -66,7 +68,7 @@ BinRange covered(const std::vector<double>& wavenumber, const std::string& name)
         bins.last = b + 1;
     }
     if (bins.first >= bins.last) {
-        throw InputError(name, fmt::format("{:g} to {:g} cm-1 hold no bin of 0.35 to 20 um",
+        throw InputError(name, fmt::format("{:g} to {:g} cm-1 contain no bin of 0.35 to 20 um",
                                            wavenumber.front(), wavenumber.back()));
     }
     return bins;
@@ -92,7 +94,7 @@ PathSpectrum binned(const Tape7Run& run, BinRange bins) {
         }
         if (sum == 0.0) {
             throw std::runtime_error(
-                fmt::format("MODTRAN gave nothing from {:g} to {:g} cm-1", low, high));
+                fmt::format("MODTRAN computed nothing from {:g} to {:g} cm-1", low, high));
         }
         path.transmittance.push_back(tau / sum);
         path.radiance.push_back(
@@ -128,7 +130,7 @@ TabulatedPaths empty_table(const std::vector<Tape7Run>& runs, const std::string&
     }
     if (from.empty() || sky_from.empty()) {
         throw InputError(name, fmt::format("found {} paths to surfaces and {} to space (ITYPE 3), "
-                                           "expected some of both",
+                                           "expected at least one of each",
                                            from.size(), sky_from.size()));
     }
     TabulatedPaths table;

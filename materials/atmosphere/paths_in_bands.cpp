@@ -24,9 +24,9 @@ double range_to_height(double from_km, double to_km, double zenith_deg) {
             if (range > 0.0) return range;
         }
     }
-    throw InputError("path",
-                     fmt::format("from {:g} km under zenith angle {:g}° it never reaches {:g} km",
-                                 from_km, zenith_deg, to_km));
+    throw InputError(
+        "path", fmt::format("a path from {:g} km with zenith angle {:g}° never reaches {:g} km",
+                            from_km, zenith_deg, to_km));
 }
 
 }  // namespace
@@ -44,9 +44,11 @@ SightLine line_of(const AirPath& a, const BandModel& model) {
     check_within("ground_albedo", a.ground_albedo, 0.0, 1.0);
     const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
     if (ends != 1) {
-        throw InputError("path", fmt::format("found {} ends of the path, expected one of range_km, "
-                                             "to_height_km, to_ground, to_space",
-                                             ends));
+        throw InputError(
+            "path",
+            fmt::format(
+                "found {} ends of the path, expected one of range_km, to_height_km, to_ground, to_space",
+                ends));
     }
     if (a.range_km) return sight_line(a.height_km, a.zenith_deg, *a.range_km);
     if (a.to_height_km) {
@@ -54,10 +56,10 @@ SightLine line_of(const AirPath& a, const BandModel& model) {
                           range_to_height(a.height_km, *a.to_height_km, a.zenith_deg));
     }
     if (a.to_ground != ends_on_ground(model, a.height_km, a.zenith_deg)) {
-        throw InputError("path", fmt::format("from {:g} km under zenith angle {:g}° it ends {}",
+        throw InputError("path", fmt::format("a path from {:g} km with zenith angle {:g}° ends {}",
                                              a.height_km, a.zenith_deg,
-                                             a.to_ground ? "in space, not on the ground"
-                                                         : "on the ground, not in space"));
+                                             a.to_ground ? "in space, not at the ground"
+                                                         : "at the ground, not in space"));
     }
     return line_of(model, a.height_km, a.zenith_deg);
 }

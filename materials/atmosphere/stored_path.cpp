@@ -32,7 +32,7 @@ PathSpectrum restored(const StoredPath& path, BinRange bins, std::span<const dou
         const std::size_t bin = bin_of(um);
         if (bin < bins.first || bin >= bins.last) {
             throw InputError("atmosphere table",
-                             fmt::format("{:g} um is outside the wavelengths it holds", um));
+                             fmt::format("{:g} um is outside its wavelengths", um));
         }
         const double depth = std::max(0.0, path.depth[bin - bins.first]);
         spectrum.transmittance.push_back(std::exp(-depth));

@@ -46,14 +46,14 @@ Confines confines_of(const fs::path& file, bool allow_outside) {
 std::string why_not(const Confines& confines, const fs::path& file) {
     std::error_code problem;
     const fs::path path = resolved(file, problem);
-    if (problem) return "cannot be followed to a file";
+    if (problem) return "is a link that leads to no file";
     const bool inside =
         confines.everywhere ||
         std::any_of(confines.folders.begin(), confines.folders.end(),
                     [&](const fs::path& folder) { return lies_beneath(path, folder); });
-    if (!inside) return "lies outside the folder of the file that leads to it";
+    if (!inside) return "is outside the folder of the file that names it";
     const fs::file_status status = fs::status(path, problem);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return "is no regular file";
+    if (fs::exists(status) && !fs::is_regular_file(status)) return "is not a regular file";
     return "";
 }
 

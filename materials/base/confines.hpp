@@ -25,6 +25,6 @@ Confines confines_of(const std::filesystem::path& file, bool allow_outside);
 std::string why_not(const Confines& confines, const std::filesystem::path& file);
 
 /// What mends a refusal.
-inline constexpr const char* allow_outside_hint = "--allow-outside reads it all the same";
+inline constexpr const char* allow_outside_hint = "--allow-outside permits it";
 
 }  // namespace diurna

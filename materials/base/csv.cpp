@@ -34,7 +34,7 @@ void check_header(const std::vector<std::string>& header, const std::string& whe
         [](const std::string& a, const std::string& b) { return a == b && !a.empty(); });
     if (again != sorted.end()) {
         throw InputError(where, "has column '" + again->substr(0, 40) + "' twice",
-                         "which of them is meant?");
+                         "keep only one of them");
     }
 }
 
@@ -43,8 +43,8 @@ void check_separator(const std::vector<std::string>& header, const std::string& 
     if (header.size() != 1) return;
     for (const auto& [mark, name] : {std::pair{';', "';'"}, {'\t', "a tab"}}) {
         if (header.front().find(mark) == std::string::npos) continue;
-        throw InputError(where, std::string("cells are parted by ") + name + ", expected ','",
-                         "save it with commas between cells and '.' as decimal sign");
+        throw InputError(where, std::string("cells are separated by ") + name + ", expected ','",
+                         "save it with commas between cells and '.' as decimal separator");
     }
 }
 
@@ -99,7 +99,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
                           small == "none" || small == "m" || small == "-" || small == "--";
         throw InputError(where(row, column) + ": " + header.at(column),
                          "found '" + cell.substr(0, 40) + "', expected a finite number",
-                         none ? "where nothing was measured, leave the cell empty"
+                         none ? "leave the cell empty if the value is missing"
                          : cell.find(',') != std::string::npos ? "the decimal separator is '.'"
                                                                : "");
     }
@@ -126,7 +126,7 @@ CsvTable csv_table(const std::filesystem::path& path, std::string_view text, int
                                         " bytes, expected at most " + std::to_string(most_line));
         }
         if (line.find('\0') != std::string_view::npos) {
-            throw InputError(where, "a byte of value 0: this is no text");
+            throw InputError(where, "found a byte of value 0: the file is not text");
         }
         std::vector<std::string> row = csv_cells(line);
         if (table.header.empty()) {
@@ -141,7 +141,7 @@ CsvTable csv_table(const std::filesystem::path& path, std::string_view text, int
                              "found " + std::to_string(row.size()) + " cells, expected " +
                                  std::to_string(table.header.size()) + " as in the header",
                              row.size() > table.header.size()
-                                 ? "',' parts cells, and the decimal sign is '.'"
+                                 ? "',' separates cells; the decimal separator is '.'"
                                  : "");
         }
         table.rows.push_back(std::move(row));

@@ -35,7 +35,7 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
             const bool reported = state.mistakes.size() < 10 * most_mistakes_reported;
             std::string hint = reported ? did_you_mean(name, known) : "";
             if (reported && hint.empty())
-                hint = fmt::format("known here: {}", fmt::join(known, ", "));
+                hint = fmt::format("known keys: {}", fmt::join(known, ", "));
             state.note(key.source(), inner, "unknown key", hint);
         } else if (const toml::table* one = node.as_table()) {
             note_unasked(state, *one, inner);
@@ -114,15 +114,16 @@ std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::s
         if (const toml::array* array = node->as_array(); array != nullptr) {
             const std::vector<std::string> names = names_of(*array);
             if (i + 2 >= words.size()) {
-                throw InputError(where,
-                                 fmt::format("names no key of one of '{}', expected {}.NAME.{}",
-                                             words[i], words[i], words.back()),
-                                 reported_names(names));
+                throw InputError(
+                    where,
+                    fmt::format("does not name a key of one of '{}', expected {}.NAME.{}", words[i],
+                                words[i], words.back()),
+                    reported_names(names));
             }
             node = inner(*node, words[++i]);
             if (node == nullptr) {
                 const std::string hint = did_you_mean(words[i], names);
-                throw InputError(where, fmt::format("no {} \"{}\"", words[i - 1], words[i]),
+                throw InputError(where, fmt::format("unknown {} \"{}\"", words[i - 1], words[i]),
                                  hint.empty() ? reported_names(names) : hint);
             }
         }
@@ -170,9 +171,9 @@ void check_limits(const std::string& text, const std::string& file) {
             dots = ends ? 0 : dots + (c == '.');
             bytes = ends ? 0 : bytes + 1;
             if (dots < most_words && bytes <= most_bytes) continue;
-            throw InputError(
-                fmt::format("{}:{}:{}", file, line, i + 1),
-                fmt::format("a key of more than {} words or {} bytes", most_words, most_bytes));
+            throw InputError(fmt::format("{}:{}:{}", file, line, i + 1),
+                             fmt::format("found a key of more than {} words or {} bytes",
+                                         most_words, most_bytes));
         }
     }
 }
@@ -228,8 +229,8 @@ void Document::set(const std::string& setting) {
     } catch (const toml::parse_error& error) {
         if (value.find_first_of("[{\"'") == 0) {
             throw InputError("--set " + setting,
-                             fmt::format("no value of TOML: {}", error.description()),
-                             "bands=[\"8-12\"]: in a shell between single quotes");
+                             fmt::format("is not a TOML value: {}", error.description()),
+                             "in a shell, use single quotes: 'bands=[\"8-12\"]'");
         }
         parsed.insert_or_assign("value", value);
     }
@@ -242,7 +243,7 @@ void Document::move_value(const std::string& from, const std::string& to) {
     for (const std::string& word : words_of(from)) {
         if (value != nullptr) value = inner(*value, word);
     }
-    if (value == nullptr) throw InputError(state_->file, "no value at " + from);
+    if (value == nullptr) throw InputError(state_->file, "found no value at " + from);
     const toml::source_region source = value->source();
     const auto [table, key] = table_at(*state_, to, state_->place(source, to));
     value->visit([&table = table, &key = key, &source](auto& held) {

@@ -17,7 +17,7 @@ std::ifstream open_file(const fs::path& path, std::uintmax_t limit) {
     if (!fs::is_regular_file(status)) throw InputError(path.string(), "not a regular file");
     const std::uintmax_t size = fs::file_size(path, code);
     if (code || size > limit) {
-        throw InputError(path.string(), "file has " + std::to_string(size) +
+        throw InputError(path.string(), "the file has " + std::to_string(size) +
                                             " bytes, expected at most " + std::to_string(limit));
     }
     note_file_read(path);
@@ -47,19 +47,18 @@ void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs
     std::error_code problem;
     const fs::file_status status = fs::status(path, problem);
     if (path.empty() || !path.has_filename()) {
-        throw InputError(path.string(), "is no name of a file to be written");
+        throw InputError(path.string(), "is not a valid file name for output");
     }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        throw InputError(path.string(), "is no regular file: results would take its place",
+        throw InputError(path.string(), "is not a regular file and would be replaced by results",
                          "expected the name of a file");
     }
     if (path.has_parent_path() && !fs::is_directory(path.parent_path(), problem)) {
-        throw InputError(path.string(), "cannot be written: there is no such folder");
+        throw InputError(path.string(), "cannot be written: the folder does not exist");
     }
     for (const FileRead& input : inputs) {
         if (!fs::equivalent(path, input.path, problem)) continue;
-        throw InputError(path.string(),
-                         "is what the results are made of: they would take its place",
+        throw InputError(path.string(), "is an input of this run and would be overwritten",
                          "choose another name");
     }
 }

@@ -52,8 +52,8 @@ void check_and_close(hid_t id, const std::string& file) {
     H5Fclose(id);
     if (link || values) {
         throw InputError(file,
-                         "\"" + plain(name).substr(0, 60) + "\" has its values in another file",
-                         "copy them into it");
+                         "\"" + plain(name).substr(0, 60) + "\" stores its values in another file",
+                         "copy them into this file");
     }
 }
 

@@ -47,7 +47,7 @@ class Scaled {
         for (Eigen::Index k = 0; k < u.size(); ++k) numbers.push_back(value(k, u[k]));
         const std::vector<double> values = problem_.model(numbers);
         if (values.size() != problem_.measured.size()) {
-            throw std::invalid_argument("a model of another length than what was measured");
+            throw std::invalid_argument("the model and the measurement have different lengths");
         }
         return Eigen::Map<const Eigen::VectorXd>(values.data(), measured_.size());
     }
@@ -158,7 +158,7 @@ double rms_of(const Eigen::VectorXd& residual) {
 Fit fit(const LeastSquares& problem) {
     Scaled scaled(problem);
     const Eigen::Index p = scaled.size(), n = Eigen::Index(problem.measured.size());
-    if (n <= p) throw std::invalid_argument("not more values than numbers");
+    if (n <= p) throw std::invalid_argument("there are not more measured values than parameters");
     Fit found;
     Eigen::VectorXd u = scaled.start(), model = scaled.model(u);
     Eigen::VectorXd residual = scaled.residual(model);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "materials/base/article.hpp"
 #include "materials/base/document_nodes.hpp"
 #include "materials/base/plain_text.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 std::string range_text(Range range) {
     const bool below = std::isinf(range.least), above = std::isinf(range.most);
     if (below && above) return "a number";
-    if (above) return fmt::format("a number of {:g} or more", range.least);
+    if (above) return fmt::format("a number of at least {:g}", range.least);
     if (below) return fmt::format("a number of at most {:g}", range.most);
     return fmt::format("a number from {:g} to {:g}", range.least, range.most);
 }
@@ -69,7 +70,7 @@ std::vector<std::string> Section::free_keys() const {
     std::vector<std::string> names;
     for (auto& [position, name] : keys) {
         if (!is_plain(name))
-            mistake(name, "expected a name of one line without control characters");
+            mistake(name, "expected a name without line breaks and control characters");
         names.push_back(std::move(name));
     }
     return names;
@@ -176,8 +177,8 @@ std::string Section::checked_text(const std::string& key, const std::string& fal
     }
     const std::string text = node->as_string()->get();
     if (is_plain(text)) return text;
-    mistake(key,
-            fmt::format("found {}, expected one line without control characters", shown(*node)));
+    mistake(key, fmt::format("found {}, expected text without line breaks and control characters",
+                             shown(*node)));
     return fallback;
 }
 
@@ -202,14 +203,14 @@ std::string Section::checked_name(const std::string& key, const std::string& fal
         std::string hint =
             instead != names.instead.end() ? instead->second : did_you_mean(name, names.known);
         if (!names.listed.empty()) hint += (hint.empty() ? "" : " ") + names.listed;
-        mistake(key, fmt::format("no {} \"{}\"{}", names.what, name, names.where), hint);
+        mistake(key, fmt::format("unknown {} \"{}\"{}", names.what, name, names.where), hint);
     }
     return name;
 }
 
 std::string Section::name(const std::string& key, const char* says, const Names& names) const {
     if (!ask(key, says, Key::Kind::name, {.required = true, .words = {names.what}})) {
-        missing(key, fmt::format("a {}'s name", names.what));
+        missing(key, "the name of " + with_article(names.what));
     }
     return checked_name(key, "", names);
 }
@@ -258,13 +259,13 @@ bool Section::flag_or(const std::string& key, const char* says, bool fallback) c
 std::string Section::moment(const std::string& key, const char* says) const {
     const std::string example = "2026-07-15T00:00:00-04:00", harmless = "1970-01-01T00:00:00Z";
     if (!ask(key, says, Key::Kind::moment, {.required = true})) {
-        missing(key, "a moment such as " + example);
+        missing(key, "an instant such as " + example);
         return harmless;
     }
     const toml::node& node = *node_of(table_, key);
     if (node.is_string()) return node.as_string()->get();
     if (!node.is_date_time() || !node.as_date_time()->get().offset) {
-        mistake(key, fmt::format("found {}, expected a moment with its offset from UTC, such as {}",
+        mistake(key, fmt::format("found {}, expected an instant with its UTC offset, such as {}",
                                  shown(node), example));
         return harmless;
     }

@@ -16,7 +16,7 @@ namespace {
 
 /// What may have been meant by the name of a file that is not there.
 std::string file_hint(const std::filesystem::path& file, const std::string& name) {
-    if (name.find('\\') != name.npos) return "folders are parted by '/'";
+    if (name.find('\\') != name.npos) return "use '/' between folders";
     std::vector<std::string> there;
     std::error_code problem;
     for (const auto& entry : std::filesystem::directory_iterator(
@@ -40,19 +40,20 @@ std::vector<std::filesystem::path> Section::files(const std::string& key, const 
     const bool asked = ask(key, says, Key::Kind::files, {.required = true});
     std::vector<std::filesystem::path> found;
     if (!asked) {
-        missing(key, "a file's name in quotes, or an array of them");
+        missing(key, "a file name in quotes, or an array of file names");
     } else if (array == nullptr) {
         found.push_back(file_named(key, checked_text(key, "")));
     } else if (array->empty() ||
                !all_of_them(*array, [](const auto& one) { return one.is_string(); })) {
-        mistake(key, fmt::format("found {}, expected a file's name or an array of them",
+        mistake(key, fmt::format("found {}, expected a file name or an array of file names",
                                  array->empty() ? "an empty array" : shown(*node)));
     } else {
         for (const toml::node& one : *array) {
             const std::string name = one.as_string()->get();
             if (!is_plain(name)) {
-                mistake(key, fmt::format("found {}, expected a name without control characters",
-                                         shown(one)));
+                mistake(key,
+                        fmt::format("found {}, expected a file name without control characters",
+                                    shown(one)));
                 continue;
             }
             found.push_back(file_named(key, name));
@@ -70,7 +71,7 @@ std::filesystem::path Section::file_named(const std::string& key, const std::str
     std::filesystem::path file = std::filesystem::path(state_->file).parent_path() / name;
     std::error_code problem;
     if (name.empty()) {
-        mistake(key, "found \"\", expected the name of a file");
+        mistake(key, "found \"\", expected a file name");
     } else if (const std::string why = why_not(state_->confines, file); !why.empty()) {
         mistake(key, fmt::format("{} {}", file.string(), why), allow_outside_hint);
     } else if (!std::filesystem::exists(file, problem)) {

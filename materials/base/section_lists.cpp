@@ -76,7 +76,7 @@ std::vector<std::string> Section::texts_or(const std::string& key, const char* s
         values.push_back(element.is_string() ? element.as_string()->get() : shown(element));
         if (is_plain(values.back())) continue;
         mistake(key,
-                fmt::format("found {}, expected lines without control characters", shown(element)));
+                fmt::format("found {}, expected text without control characters", shown(element)));
         return fallback.value;
     }
     return values;
@@ -117,7 +117,7 @@ std::vector<std::vector<std::string>> Section::values(const std::string& key, co
     const toml::array* array = node != nullptr ? node->as_array() : nullptr;
     if (array == nullptr || array->empty()) {
         mistake(key, (node == nullptr ? "missing" : "found " + shown(*node)) +
-                         ", expected an array of one value or more");
+                         ", expected an array of at least one value");
         return {};
     }
     std::vector<std::vector<std::string>> found;

@@ -31,36 +31,37 @@ std::string syntax_hint(std::string_view line) {
     constexpr std::string_view curly[] = {"\xE2\x80\x9C", "\xE2\x80\x9D", "\xE2\x80\x9E",
                                           "\xE2\x80\x98", "\xE2\x80\x99"};
     for (const std::string_view quote : curly) {
-        if (line.find(quote) != line.npos) return "straight quotes (\") enclose texts";
+        if (line.find(quote) != line.npos) return "enclose text in straight quotes (\")";
     }
     const std::size_t equals = line.find('=');
     if (equals == line.npos) {
         const bool table = std::count(line.begin(), line.end(), ',') > 1;
-        return table ? "is it a file of TOML? diurna inspect FILE says what a file is" : "";
+        return table ? "check that the file is TOML: diurna inspect FILE" : "";
     }
     const std::string_view value = without_blanks(line.substr(equals + 1));
-    if (value.empty()) return "a value stands behind '='";
+    if (value.empty()) return "a value is expected after '='";
     if (value.find('\\') != value.npos && value.front() == '"') {
-        return "a backslash between quotes means more than itself: folders are parted by '/'";
+        return "a backslash in quotes begins an escape: use '/' between folders";
     }
     if (value.find("//") != value.npos && value.find('"') == value.npos) {
-        return "comments begin with '#'";
+        return "use '#' for comments";
     }
-    if (value.ends_with(';')) return "no ';' ends a line";
+    if (value.ends_with(';')) return "remove the ';' at the end";
     if (std::count(value.begin(), value.end(), '"') % 2 == 1) {
-        return "the quote that ends a text is missing";
+        return "the closing quote is missing";
     }
     const std::string_view rest = behind_number(value);
-    if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) return "the decimal sign is '.'";
+    if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1]))
+        return "the decimal separator is '.'";
     if (const std::string_view word = without_blanks(rest); !word.empty() && is_letter(word[0])) {
-        return "no unit stands behind a number: the key's name ends with it, as in radius_m";
+        return "write numbers without units: the suffix of the key is the unit, as in radius_m";
     }
     if (value == "True" || value == "False" || value == "TRUE" || value == "FALSE") {
-        return "true and false are written small";
+        return "write true and false in lower case";
     }
     const bool listed = value.front() == '[' && value.find('"') == value.npos;
     if (is_letter(value.front()) || listed) {
-        return "texts stand between quotes: \"8-12\", [\"3-5\", \"8-12\"]";
+        return "enclose text in quotes: \"8-12\", [\"3-5\", \"8-12\"]";
     }
     return "";
 }

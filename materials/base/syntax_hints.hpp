@@ -14,7 +14,7 @@ std::string syntax_hint(std::string_view line);
 bool is_utf16(std::string_view text);
 
 /// How to mend a text of UTF-16.
-inline constexpr const char* utf16_problem = "is written in UTF-16, expected UTF-8";
+inline constexpr const char* utf16_problem = "is in UTF-16, expected UTF-8";
 inline constexpr const char* utf16_hint = "save it as UTF-8 (\"CSV UTF-8\" in spreadsheets)";
 
 }  // namespace diurna

@@ -134,7 +134,7 @@ void UnfinishedFile::finish() {
 fs::path temporary_beside(const fs::path& path) {
     std::uint64_t random = 0;
     if (::getrandom(&random, sizeof random, 0) != sizeof random) {
-        throw std::runtime_error(path.string() + ": no random name for it");
+        throw std::runtime_error(path.string() + ": found no free temporary name for it");
     }
     char tail[48];
     std::snprintf(tail, sizeof tail, ".%ld.%016llx.part", long(::getpid()),
@@ -185,7 +185,7 @@ void no_longer_end(int place) {
 TemporaryFolder::TemporaryFolder(const std::string& name) {
     std::string pattern = (fs::temp_directory_path() / (name + "-XXXXXX")).string();
     if (::mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error(pattern + ": cannot be made: " + std::strerror(errno));
+        throw std::runtime_error(pattern + ": cannot create the folder: " + std::strerror(errno));
     }
     path_ = pattern;
     slot_ = remember(path_, Slot::folder);

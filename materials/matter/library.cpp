@@ -26,8 +26,8 @@ MaterialId MaterialLibrary::find(const std::string& name, const std::string& whe
     }
     const std::vector<std::string> known = names();
     std::string hint = did_you_mean(name, known);
-    if (hint.empty()) hint = fmt::format("known: {}", fmt::join(known, ", "));
-    throw InputError(where, fmt::format("no material '{}'", name.substr(0, 60)), hint);
+    if (hint.empty()) hint = fmt::format("known materials: {}", fmt::join(known, ", "));
+    throw InputError(where, fmt::format("unknown material '{}'", name.substr(0, 60)), hint);
 }
 
 MaterialId MaterialLibrary::add(Material material) {
@@ -37,7 +37,8 @@ MaterialId MaterialLibrary::add(Material material) {
             return static_cast<MaterialId>(i);
         }
     }
-    if (materials_.size() > 0xffff) throw InputError("materials", "more than 65536 of them");
+    if (materials_.size() > 0xffff)
+        throw InputError("materials", "found more than 65536 materials");
     materials_.push_back(std::move(material));
     return static_cast<MaterialId>(materials_.size() - 1);
 }

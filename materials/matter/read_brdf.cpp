@@ -33,10 +33,10 @@ MeasuredBrdf read_merl(const std::filesystem::path& path) {
     std::array<std::int32_t, 3> size{};
     if (bytes.size() >= head) std::memcpy(size.data(), bytes.data(), head);
     if (size != std::array<std::int32_t, 3>{merl_half, merl_difference, merl_azimuth}) {
-        throw InputError(path.string(), "no MERL BRDF: expected 90, 90 and 180 at its begin");
+        throw InputError(path.string(), "is not a MERL BRDF: expected 90, 90 and 180 at its start");
     }
     if (bytes.size() != whole) {
-        throw InputError(path.string(), fmt::format("found {} bytes, expected {} of a MERL BRDF",
+        throw InputError(path.string(), fmt::format("found {} bytes, expected {} for a MERL BRDF",
                                                     bytes.size(), whole));
     }
     MeasuredBrdf table{.axes = MeasuredBrdf::Axes::half_vector,
@@ -95,7 +95,7 @@ MeasuredBrdf read_table(const std::filesystem::path& path) {
                        .value = {}};
     const std::size_t nodes = table.first.size() * table.second.size() * table.third.size();
     if (nodes < 8 || table.first.size() < 2 || table.second.size() < 2 || table.third.size() < 2) {
-        throw InputError(path.string(), "expected two or more angles of light, eye and azimuth");
+        throw InputError(path.string(), "expected at least two angles of light, eye and azimuth");
     }
     table.value.assign(nodes, -1.0f);
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
@@ -103,7 +103,7 @@ MeasuredBrdf read_table(const std::filesystem::path& path) {
                                  node_of(table.second, read[1][row])) *
                                     table.third.size() +
                                 node_of(table.third, read[2][row])];
-        if (at >= 0.0f) throw InputError(csv.where(row, column[0]), "these angles stand twice");
+        if (at >= 0.0f) throw InputError(csv.where(row, column[0]), "these angles occur twice");
         at = static_cast<float>(read[3][row]);
     }
     const auto gap = std::find(table.value.begin(), table.value.end(), -1.0f);
@@ -137,7 +137,7 @@ void check_reciprocal(const std::filesystem::path& path, const MeasuredBrdf& tab
                 throw InputError(
                     path.string(),
                     fmt::format("not reciprocal: {:.4g} per sr for light at {:g}, eye at {:g}, "
-                                "azimuth {:g} deg, {:.4g} the other way round",
+                                "azimuth {:g} deg, but {:.4g} with light and eye exchanged",
                                 one, light, eye, azimuth, other));
             }
         }
@@ -148,10 +148,11 @@ void check_energy(const std::filesystem::path& path, const MeasuredBrdf& table) 
     for (double angle = 0.0; angle <= 75.0; angle += 15.0) {
         const double reflected = directional_hemispherical(table, std::cos(radians(angle)));
         if (reflected <= 1.01 && reflected > 0.0) continue;
-        throw InputError(path.string(),
-                         fmt::format("sends back {:.4g} of the light at {:g} deg, expected more "
-                                     "than 0 and at most 1",
-                                     reflected, angle));
+        throw InputError(
+            path.string(),
+            fmt::format(
+                "reflects {:.4g} of the light at {:g} deg, expected more than 0 and at most 1",
+                reflected, angle));
     }
 }
 

@@ -22,7 +22,8 @@ namespace {
 
 constexpr double index_heat_begins_um = 4.0;  // of effective indices
 constexpr const char* index_file_says =
-    "of the coat, or of the metal: CSV of wavelength_um, n and k, from end to end of every band";
+    "complex refractive index of the coat or metal: CSV file of wavelength_um, n and k over the "
+    "whole of every band";
 
 /// n and k of a file into a finish; the ends go on.
 void read_index(const std::filesystem::path& path, Glossy& finish) {
@@ -42,7 +43,7 @@ void read_index(const std::filesystem::path& path, Glossy& finish) {
         finish.extinction.value.push_back(table.number(row, k));
     }
     if (finish.index.value.size() < 2) {
-        throw InputError(path.string(), "expected 2 or more rows of wavelength_um, n and k");
+        throw InputError(path.string(), "expected at least 2 rows of wavelength_um, n and k");
     }
     check_micrometres(finish.index, path);
     auto& um = finish.index.wavelength_um;
@@ -69,9 +70,10 @@ void read_refraction(const Section& section, Glossy& finish) {
             section.mistake("index_file", error.what());
         }
     } else {
-        index =
-            section.number("index", "of the coat: n at all wavelengths, unless index_file is given",
-                           {1.0 + 1e-6, 5.0});
+        index = section.number(
+            "index",
+            "refractive index n of the coat at all wavelengths, unless index_file is given",
+            {1.0 + 1e-6, 5.0});
     }
     finish.index = flat_spectrum(index);
     finish.extinction = {};
@@ -81,13 +83,13 @@ void read_refraction(const Section& section, Glossy& finish) {
 Finish read_by_angle(const Section& section) {
     ByAngle finish;
     const auto rows = section.rows(
-        "factors", "[[angle_deg, factor], ...] on the reflectance, straight between", 2, 2);
+        "factors", "[[angle_deg, factor], ...] on the reflectance, interpolated linearly", 2, 2);
     for (const std::vector<double>& row : rows) {
         const bool ascends = finish.angle_deg.empty() || row[0] > finish.angle_deg.back();
         if (row[0] < 0.0 || row[0] > 90.0 || row[1] < 0.0 || !ascends) {
             section.mistake("factors",
                             "expected [angle_deg, factor] with ascending angles of 0 to 90 and "
-                            "factors of zero or more");
+                            "factors of at least 0");
             return Lambert{};
         }
         finish.angle_deg.push_back(row[0]);
@@ -141,8 +143,8 @@ void take_effective_index(const Spectrum& reflectance, Glossy& finish) {
 bool wants_effective_index(const Section& section) {
     return section.has("effective_index") &&
            section.flag_or("effective_index",
-                           "from 4 µm (metal: everywhere) the index is the one "
-                           "that sends back the reflectance upright",
+                           "use the index above 4 µm (metal: everywhere) that gives the "
+                           "reflectance at normal incidence",
                            false);
 }
 
@@ -156,9 +158,10 @@ void read_indices(const Section& section, const Spectrum& reflectance, Glossy& f
 
 Finish read_law(const Section& section, const Spectrum& reflectance) {
     const std::string kind = section.kind_or(
-        "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish; metal: "
-        "a bare one; waves: water, as rough as the wind makes it; pane: a sheet with two smooth "
-        "faces, of the transmittance that is given upright; by_angle: a table; measured: a BRDF",
+        "angular reflectance; lambert: constant; gloss: a clear coat over it, such as paint or "
+        "varnish; metal: bare metal; waves: water, roughened by the wind; pane: a sheet with two "
+        "smooth faces and the given transmittance at normal incidence; by_angle: a table; "
+        "measured: a BRDF",
         "lambert", {"lambert", "gloss", "metal", "waves", "pane", "by_angle", "measured"});
     if (kind == "by_angle") return read_by_angle(section);
     if (kind == "measured") return read_measured(section);
@@ -173,7 +176,7 @@ Finish read_law(const Section& section, const Spectrum& reflectance) {
         finish.roughness = roughness_under(finish, mean_wind_over_water);
     } else {
         finish.roughness =
-            section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0});
+            section.number("roughness", "roughness of its microfacets; 0: a mirror", {0.0, 1.0});
     }
     read_indices(section, reflectance, finish);
     return finish;

@@ -28,7 +28,7 @@ namespace diurna {
 void read_finish(const Section& section, bool anew, Material& material);
 
 /// What a material's `finish` says.
-inline constexpr const char* finish_says = "how light is sent back over the angle";
+inline constexpr const char* finish_says = "reflectance as a function of angle";
 
 /// From where to where a material's index_file has n and k, which go on beyond its ends.
 struct IndexReach {

@@ -20,18 +20,18 @@ bool has_any(const Section& section, std::initializer_list<const char*> keys) {
 ///
 /// cover  of the net that the strips are of, 1 of what is none
 void read_openings(const Section& section, double cover, Material& material) {
-    material.see_through = section.flag_or(
-        "see_through", "rays go on behind it, where its transmittance lets them: panes",
-        material.see_through);
+    material.see_through =
+        section.flag_or("see_through", "rays pass through it according to its transmittance: panes",
+                        material.see_through);
     const auto* glossy = std::get_if<Glossy>(&material.finish);
     if (section.has("cover")) {
         cover = section.number(
-            "cover", "a net, of which this share is strips of the material; the rest is open",
+            "cover", "a net of which this share is strips of the material; the rest is open",
             {0.0, 1.0});
         if (glossy && glossy->waves) {
-            section.mistake("cover",
-                            "stands beside finish.kind = \"waves\", but water has no open share",
-                            "leave one of the two out");
+            section.mistake(
+                "cover", "cannot be combined with finish.kind = \"waves\": water has no open share",
+                "remove one of them");
         }
         material.see_through = true;
         open_up(cover, material);
@@ -40,7 +40,7 @@ void read_openings(const Section& section, double cover, Material& material) {
     }
     if (material.see_through && material.transmittance.empty()) {
         section.mistake("see_through",
-                        "expected a transmittance or a cover: nothing lets light through");
+                        "needs a transmittance or a cover: the material lets no light through");
     }
 }
 

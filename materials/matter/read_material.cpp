@@ -41,45 +41,50 @@ Bottom read_bottom(const Section& section) {
         section.kind_or("a heat flux, a fixed temperature, or the air of a room", "flux",
                         {"flux", "temperature", "interior"});
     if (kind == "temperature") {
-        return FixedTemperature{section.number("value_K", "below the last layer", {1.0, 3000.0})};
+        return FixedTemperature{
+            section.number("value_K", "boundary condition below the last layer", {1.0, 3000.0})};
     }
     if (kind == "interior") {
         Interior room{
-            .air_temperature = section.number("air_temperature_K", "of the room", {150.0, 1500.0}),
-            .film = section.number("film_W_m2K", "between the last layer and the room's air",
-                                   {0.0, 1e4})};
-        room.schedule = read_schedule(section, "schedule",
-                                      "[[hour, K], ...] on the clock of time.start, in place of "
-                                      "air_temperature_K: straight between, around midnight",
-                                      "temperature_K", {150.0, 1500.0});
+            .air_temperature =
+                section.number("air_temperature_K", "air temperature of the room", {150.0, 1500.0}),
+            .film = section.number(
+                "film_W_m2K", "coefficient between the last layer and the room's air", {0.0, 1e4})};
+        room.schedule =
+            read_schedule(section, "schedule",
+                          "[[hour, K], ...] on the clock of time.start, instead of "
+                          "air_temperature_K: interpolated linearly, also across midnight",
+                          "temperature_K", {150.0, 1500.0});
         return room;
     }
     return FixedFlux{
-        section.number_or("value_W_m2", "upward, into the last layer", 0.0, {-1e5, 1e5})};
+        section.number_or("value_W_m2", "heat flux upward into the last layer", 0.0, {-1e5, 1e5})};
 }
 
 constexpr Range lengths{0.001, 1000.0};  // [m]
 
 double read_wall_roughness(const Section& section, double usual) {
     return section.number_or("roughness",
-                             "times what the wind adds: 1 glass, 1.11 smooth plaster, 1.52 "
+                             "factor on the wind's share: 1 glass, 1.11 smooth plaster, 1.52 "
                              "concrete, 1.67 brick, 2.17 stucco",
                              usual, {1.0, 2.17});
 }
 
 Convection read_convection(const Section& section) {
     const std::string kind = section.kind_or(
-        "louis: ground, by roughness and stability; plate, cylinder, box: parts of vehicles and "
-        "devices, by their size; tarp, mowitt: walls and roofs of buildings, rough and smooth; "
-        "constant: a film of value_W_m2K",
+        "model; louis: ground, by roughness and stability; plate, cylinder, box: parts of vehicles "
+        "and devices, by size; tarp, mowitt: rough and smooth walls and roofs of buildings; "
+        "constant: the coefficient value_W_m2K",
         "louis", {"louis", "plate", "cylinder", "box", "tarp", "mowitt", "constant"});
     if (kind == "constant") {
-        return ConstantFilm{section.number("value_W_m2K", "the film", {0.0, 1e4})};
+        return ConstantFilm{
+            section.number("value_W_m2K", "the convective coefficient", {0.0, 1e4})};
     }
     if (kind == "tarp") {
         Tarp tarp;
         tarp.length = section.number_or(
-            "length_m", "of a square wall, whose perimeter over area counts", tarp.length, lengths);
+            "length_m", "side of a square wall of the same ratio of perimeter to area", tarp.length,
+            lengths);
         tarp.roughness = read_wall_roughness(section, tarp.roughness);
         return tarp;
     }
@@ -89,82 +94,86 @@ Convection read_convection(const Section& section) {
                       : kind == "cylinder" ? BodyShape::cylinder
                                            : BodyShape::box};
         body.length = section.number_or(
-            "length_m", "of a plate's sides, of a cylinder's or box's width",
-            {0.0, "the part's own in a mesh; 1 on ground and in columns"}, lengths);
+            "length_m", "side of a plate, width of a cylinder or box",
+            {0.0, "the size of the part in a mesh; 1 on ground and in columns"}, lengths);
         if (kind == "plate") {
-            body.transition = section.number_or("transition_Re",
-                                                "Reynolds number at which its boundary layer turns "
-                                                "turbulent: 5e5 in a smooth flow, 1e5 in "
-                                                "gusts, 0 tripped at its edge",
-                                                body.transition, {0.0, 3e6});
+            body.transition =
+                section.number_or("transition_Re",
+                                  "Reynolds number of the transition to turbulence: 5e5 in a "
+                                  "smooth flow, 1e5 in gusts, 0 if tripped at the edge",
+                                  body.transition, {0.0, 3e6});
         }
         return body;
     }
     return Louis{
-        .least_film = section.number_or(
-            "least_W_m2K", "added: what calm, stable air still exchanges", 0.0, {0.0, 100.0}),
-        .gust = section.number_or("gust_m_s",
-                                  "motions of the air beside its mean wind U: √(U² + gust²)", 1.0,
-                                  {0.0, 20.0})};
+        .least_film =
+            section.number_or("least_W_m2K", "minimum exchange in calm, stable air, which is added",
+                              0.0, {0.0, 100.0}),
+        .gust = section.number_or("gust_m_s", "air speed besides the mean wind U: √(U² + gust²)",
+                                  1.0, {0.0, 20.0})};
 }
 
 Evaporation read_evaporation(const Section& section) {
-    const std::string kind = section.kind_or(
-        "dry, or wet behind a resistance in series with the air's", "none", {"none", "resistance"});
+    const std::string kind =
+        section.kind_or("model; dry, or wet behind a resistance in series with the aerodynamic one",
+                        "none", {"none", "resistance"});
     if (kind == "none") return {};
     return {.minimum_resistance =
-                section.number("minimum_s_m", "the surface's resistance to vapour", {0.0, 1e5}),
+                section.number("minimum_s_m", "resistance of the surface to vapour", {0.0, 1e5}),
             .wetness = section.number_or("wetness", "0 dry to 1 wet", 1.0, {0.0, 1.0})};
 }
 
 WaterStore read_store(const Section& section) {
     WaterStore store;
-    store.capacity_mm = section.number("capacity_mm",
-                                       "of water that level ground holds; more runs off, and from "
-                                       "slopes sooner (Kidd 1978)",
-                                       {0.0, 1000.0});
-    store.wet_albedo =
-        section.number_or("wet_albedo", "where it is wet", {-1.0, "as dry"}, {0.0, 1.0});
-    store.leaves = section.flag_or("leaves", "that hold as much on any slope", false);
+    store.capacity_mm = section.number(
+        "capacity_mm",
+        "water that level ground retains; the excess runs off, and slopes retain less (Kidd 1978)",
+        {0.0, 1000.0});
+    store.wet_albedo = section.number_or("wet_albedo", "emissivity where wet",
+                                         {-1.0, "that of the dry surface"}, {0.0, 1.0});
+    store.leaves = section.flag_or("leaves", "facets of any slope retain as much", false);
     return store;
 }
 
 AgeingAlbedo read_snow_albedo(const Section& section) {
     AgeingAlbedo ageing;
-    ageing.fresh = section.number_or("fresh", "of new snow", ageing.fresh, {0.0, 1.0});
-    ageing.old = section.number_or("old", "that it never ages below; at most fresh", ageing.old,
-                                   {0.0, ageing.fresh});
+    ageing.fresh = section.number_or("fresh", "albedo of new snow", ageing.fresh, {0.0, 1.0});
+    ageing.old = section.number_or("old", "lowest albedo of aged snow; at most that of new snow",
+                                   ageing.old, {0.0, ageing.fresh});
     return ageing;
 }
 
 Canopy read_canopy(const Section& section) {
     const std::string kind = section.kind_or(
-        "none; big_leaf: a skin over the ground; two_source: leaves and the ground between them",
+        "model; none; big_leaf: one layer over the ground; two_source: leaves and the ground "
+        "between them",
         "none", {"none", "big_leaf", "two_source"});
     if (kind == "big_leaf") {
         return BigLeaf{.skin_conductance = section.number(
-                           "skin_conductance_W_m2K", "between the leaf and the top of the ground",
-                           {0.01, 1e4})};
+                           "skin_conductance_W_m2K",
+                           "heat transfer between leaves and ground surface", {0.01, 1e4})};
     }
     if (kind == "two_source") {
         return TwoSource{
-            .leaf_area =
-                section.number("leaf_area", "m2 of leaves over a m2 of ground", {0.0, 12.0}),
-            .leaf_resistance = section.number("leaf_resistance_s_m",
-                                              "of the whole canopy to transpiration", {0.0, 1e5})};
+            .leaf_area = section.number(
+                "leaf_area", "leaf area index: m2 of leaves per m2 of ground", {0.0, 12.0}),
+            .leaf_resistance =
+                section.number("leaf_resistance_s_m",
+                               "resistance of the whole canopy to transpiration", {0.0, 1e5})};
     }
     return std::monostate{};
 }
 
 std::optional<ExposedBack> read_back(const Section& section) {
     const std::string kind = section.kind_or(
-        "exposed: a thin plate with air behind, in place of a bottom; in an open mesh it faces "
-        "sky, "
-        "sun and neighbours of its own, in a closed one surroundings as warm as the air",
+        "exposed: a thin plate with air behind it, instead of a bottom; in an open mesh the back "
+        "exchanges radiation with sky, sun and neighbours, in a closed one with surroundings at "
+        "air temperature",
         "none", {"none", "exposed"});
     if (kind == "none") return std::nullopt;
-    return ExposedBack{.emissivity = section.number("emissivity", "of the back", {0.0, 1.0}),
-                       .albedo = section.number("albedo", "of the back", {0.0, 1.0})};
+    return ExposedBack{
+        .emissivity = section.number("emissivity", "emissivity of the back", {0.0, 1.0}),
+        .albedo = section.number("albedo", "albedo of the back", {0.0, 1.0})};
 }
 
 /// What a material starts from: the one it is like, or a dull black one where that is unknown.
@@ -180,23 +189,24 @@ Start read_start(const Section& section, const MaterialLibrary& base, const std:
         return std::find(known.begin(), known.end(), word) != known.end();
     };
     const std::string own_name = section.text_or(
-        "name", "of the material; in a column file that of the library's to start from",
-        {name, "the table's"});
-    const std::string like =
-        section.text_or("like",
-                        "starts from this material of the library, or above in the file: only what "
-                        "is given here changes",
-                        {is_known(own_name) ? own_name : "", "the library's of its name, if any"});
+        "name", "name of the material; in a column file: the library's material to start from",
+        {name, "the name of the table"});
+    const std::string like = section.text_or(
+        "like",
+        "starts from this material of the library or of the file; only the given keys change",
+        {is_known(own_name) ? own_name : "", "the library's material of this name, if any"});
     Start start{.material = {}, .fresh = like.empty()};
     if (own_name.empty()) section.mistake("name", "missing, expected a text in quotes");
     if (is_known(like)) {
         start.material = base[base.find(like)];
     } else if (!start.fresh) {
-        section.mistake("like", "no material '" + like.substr(0, 60) + "' above this one",
-                        did_you_mean(like, known));
+        section.mistake(
+            "like",
+            "unknown material '" + like.substr(0, 60) + "', which must come earlier in this file",
+            did_you_mean(like, known));
         start.material.reflectance = two_step_reflectance(0.0, 1.0);
     } else if (section.has("name") && !section.has("layers")) {
-        section.mistake("name", "no material '" + own_name.substr(0, 60) + "' in the library",
+        section.mistake("name", "unknown material '" + own_name.substr(0, 60) + "' in the library",
                         did_you_mean(own_name, known));
         start.material.reflectance = two_step_reflectance(0.0, 1.0);
         start.lost = true;
@@ -209,32 +219,32 @@ Start read_start(const Section& section, const MaterialLibrary& base, const std:
 /// What happens at the surface besides convection: water, leaves, heat of its own.
 void read_surface(const Section& section, ThermalSurface& thermal) {
     if (section.has("evaporation")) {
-        thermal.evaporation =
-            read_evaporation(section.section("evaporation", "of water from the surface"));
+        thermal.evaporation = read_evaporation(
+            section.section("evaporation", "evaporation of water from the surface"));
     }
     if (section.has("store")) {
-        thermal.store = read_store(section.section(
-            "store",
-            "water that stands on the surface: rain and dew fill it, it freezes and melts, snow "
-            "lies on it; capacity_mm = 0 for none"));
+        thermal.store = read_store(
+            section.section("store",
+                            "water on the surface: rain and dew fill the store, it freezes and "
+                            "melts, and snow lies on it; capacity_mm = 0: none"));
     }
     if (section.has("snow_albedo")) {
         thermal.snow_albedo = read_snow_albedo(
             section.section("snow_albedo",
-                            "snow's albedo ages from the material's own by days and melting "
-                            "(Douville et al. 1995); new snow renews it"));
+                            "ageing of snow's albedo with days and melting, from the given one "
+                            "(Douville et al. 1995); new snow restores it"));
     }
     if (section.has("canopy")) {
-        thermal.canopy = read_canopy(section.section("canopy", "leaves over the ground"));
+        thermal.canopy = read_canopy(section.section("canopy", "leaves above the ground"));
     }
-    thermal.internal_heat =
-        section.number_or("internal_heat_W_m2", "released at the surface: engines, people, lamps",
-                          {thermal.internal_heat, "0"}, {-1e5, 1e6});
+    thermal.internal_heat = section.number_or(
+        "internal_heat_W_m2", "heat released at the surface: engines, people, lamps",
+        {thermal.internal_heat, "0"}, {-1e5, 1e6});
     if (section.has("internal_schedule")) {
         thermal.internal_schedule =
             read_schedule(section, "internal_schedule",
-                          "[[hour, W/m2], ...] on the clock of time.start, in place of "
-                          "internal_heat_W_m2: straight between, around midnight",
+                          "[[hour, W/m2], ...] on the clock of time.start, instead of "
+                          "internal_heat_W_m2: interpolated linearly, also across midnight",
                           "heat_W_m2", {-1e5, 1e6});
     }
 }
@@ -244,8 +254,8 @@ void close_bottom(const Section& section, ThermalSurface& thermal) {
     const auto* flux = std::get_if<FixedFlux>(&thermal.bottom);
     const bool empty = flux && flux->flux == 0.0;
     if (section.has("bottom") && !empty) {
-        section.mistake("bottom", "a sheet with an open back has nothing under its last layer",
-                        "leave out `bottom` or `back`");
+        section.mistake("bottom", "a sheet with an open back has nothing below its last layer",
+                        "remove `bottom` or `back`");
     }
     thermal.bottom = FixedFlux{0.0};
 }
@@ -260,27 +270,28 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     read_light(section, start.fresh, material);
     ThermalSurface& thermal = material.thermal;
     if (start.fresh || section.has("roughness_length_m")) {
-        thermal.roughness_length = section.number(
-            "roughness_length_m", "of momentum; needed without `like`", {1e-6, 10.0});
+        thermal.roughness_length =
+            section.number("roughness_length_m",
+                           "roughness length for momentum; required without `like`", {1e-6, 10.0});
         thermal.heat_roughness_length = thermal.roughness_length / 10.0;
     }
-    thermal.heat_roughness_length =
-        section.number_or("heat_roughness_length_m", "of heat",
-                          {thermal.heat_roughness_length, "a tenth of momentum's"}, {1e-12, 10.0});
+    thermal.heat_roughness_length = section.number_or(
+        "heat_roughness_length_m", "roughness length for heat",
+        {thermal.heat_roughness_length, "a tenth of the one for momentum"}, {1e-12, 10.0});
     read_layers(section, start.fresh, thermal);
     if (section.has("bottom")) {
-        thermal.bottom = read_bottom(section.section("bottom", "what lies under the last layer"));
+        thermal.bottom = read_bottom(section.section("bottom", "boundary below the last layer"));
     }
     if (section.has("convection")) {
-        thermal.convection = read_convection(
-            section.section("convection", "how the surface exchanges heat with the air"));
+        thermal.convection =
+            read_convection(section.section("convection", "heat exchange between surface and air"));
     }
     read_surface(section, thermal);
     if (section.has("back")) {
-        thermal.back = read_back(section.section(
-            "back",
-            "the open back of a thin plate. An open mesh (scenes/README.md) has one in any case: "
-            "without this it is like the front"));
+        thermal.back = read_back(
+            section.section("back",
+                            "the open back of a thin plate. An open mesh (scenes/README.md) always "
+                            "has one; without this key it has the properties of the front"));
         if (thermal.back) close_bottom(section, thermal);
     }
     return material;

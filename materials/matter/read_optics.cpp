@@ -84,11 +84,11 @@ struct Means {
 
 Means read_means(const Section& section, bool needed) {
     constexpr const char *albedo =
-                             "broadband, 0.3 to 4 µm, weighted by the sun at the ground; needed "
-                             "without reflectance and `like`",
+                             "broadband albedo, 0.3 to 4 µm, weighted by the sun at the ground; "
+                             "required without reflectance and `like`",
                          *emissivity =
-                             "broadband, hemispherical, weighted by Planck at 300 K; needed "
-                             "without reflectance and `like`";
+                             "broadband hemispherical emissivity, weighted by Planck's law at 300 "
+                             "K; required without reflectance and `like`";
     Means means;
     if (needed || section.has("albedo"))
         means.albedo = section.number("albedo", albedo, {0.0, 1.0});
@@ -128,8 +128,9 @@ void fit_means(const Section& section, const Means& means, Material& material) {
     if (albedo + thermal.solar_transmittance > 1.0) {
         section.mistake(
             "albedo",
-            fmt::format("found {:g}, expected at most {:.4g}: the rest of the sun passes through",
-                        albedo, 1.0 - thermal.solar_transmittance));
+            fmt::format(
+                "found {:g}, expected at most {:.4g}: the remaining sunlight is transmitted",
+                albedo, 1.0 - thermal.solar_transmittance));
     }
     const double reflected = planck_mean(material.reflectance);
     const double wanted = std::max(0.0, reflected + thermal.emissivity - emissivity);
@@ -156,11 +157,12 @@ Spectrum two_step_reflectance(double albedo, double emissivity) {
 void check_micrometres(const Spectrum& s, const std::filesystem::path& file) {
     constexpr double longest = 20.0;  // of the wavelengths that pictures may be of
     if (s.wavelength_um.front() < longest) return;
-    throw InputError(file.string(),
-                     fmt::format("found wavelengths of {:g} to {:g} µm, expected some below {:g}: "
-                                 "they look like nm",
-                                 s.wavelength_um.front(), s.wavelength_um.back(), longest),
-                     "divide them by 1000");
+    throw InputError(
+        file.string(),
+        fmt::format(
+            "found wavelengths of {:g} to {:g} µm, expected some below {:g}: they seem to be in nm",
+            s.wavelength_um.front(), s.wavelength_um.back(), longest),
+        "divide them by 1000");
 }
 
 void read_optics(const Section& section, bool fresh, Material& material) {
@@ -172,8 +174,9 @@ void read_optics(const Section& section, bool fresh, Material& material) {
                       section.has("finish");
     const Means means = read_means(section, needed);
     if (section.has("reflectance")) {
-        const Spectrum given = read_file(section, "reflectance",
-                                         "CSV of wavelength_um and value: hemispherical, 0 to 1");
+        const Spectrum given =
+            read_file(section, "reflectance",
+                      "hemispherical reflectance: CSV file of wavelength_um and value, 0 to 1");
         material.given_from_um = Material{}.given_from_um;
         material.given_to_um = Material{}.given_to_um;
         note_range(given, material);
@@ -182,8 +185,9 @@ void read_optics(const Section& section, bool fresh, Material& material) {
         material.reflectance = two_step_reflectance(*means.albedo, *means.emissivity);
     }
     if (section.has("transmittance")) {
-        const Spectrum given = read_file(section, "transmittance",
-                                         "CSV of wavelength_um and value, 0 to 1; else opaque");
+        const Spectrum given = read_file(
+            section, "transmittance",
+            "transmittance: CSV file of wavelength_um and value, 0 to 1; default: opaque");
         note_range(given, material);
         material.transmittance = extended(given);
     }

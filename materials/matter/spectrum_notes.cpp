@@ -40,27 +40,29 @@ std::optional<Reach> index_given(const Finish& finish) {
 
 std::vector<std::string> spectrum_notes(const Material& material, const std::vector<Band>& bands) {
     std::vector<std::string> notes;
-    const std::string ends =
-        fmt::format("material {}: its spectra were given over {:g} to {:g} µm and are held beyond",
-                    material.kind(), material.given_from_um, material.given_to_um);
+    const std::string ends = fmt::format(
+        "material {}: its spectra cover {:g} to {:g} µm and are extended by their end values",
+        material.kind(), material.given_from_um, material.given_to_um);
     if (material.guessed_albedo) {
-        notes.push_back(fmt::format("{}: its albedo {:.3g} is a guess; `albedo` tells it", ends,
-                                    material.thermal.albedo));
+        notes.push_back(
+            fmt::format("{}: the albedo {:.3g} is estimated from them; set it by `albedo`", ends,
+                        material.thermal.albedo));
     }
     if (material.guessed_emissivity) {
         notes.push_back(
-            fmt::format("{}: its emissivity {:.3g} is a guess; `emissivity` tells it, "
-                        "or a spectrum to 14 µm",
+            fmt::format("{}: the emissivity {:.3g} is estimated from them; set it by `emissivity`, "
+                        "or give a spectrum up to 14 µm",
                         ends, material.thermal.emissivity));
     }
     const Reach given{material.given_from_um, material.given_to_um};
     const std::optional<Reach> index = index_given(material.finish);
     for (const Band& band : bands) {
-        if (!given.holds(band)) notes.push_back(fmt::format("{}: so in band {}", ends, band.name));
+        if (!given.holds(band))
+            notes.push_back(fmt::format("{}, which affects band {}", ends, band.name));
         if (!index || index->holds(band)) continue;
         notes.push_back(
-            fmt::format("material {}: its n and k were given over {:g} to {:g} µm and are held "
-                        "beyond: so in band {}",
+            fmt::format("material {}: n and k cover {:g} to {:g} µm and are extended by their end "
+                        "values, which affects band {}",
                         material.kind(), index->from_um, index->to_um, band.name));
     }
     return notes;

@@ -129,9 +129,9 @@ std::string profile_cards(const ModtranDeck& d, const Profile& p) {
         if (p.height_km[i] >= d.ground_km - 1e-9 && p.height_km[i] <= 100.0) levels.push_back(i);
     }
     if (levels.size() < 2 || levels.size() > 999) {
-        throw InputError(
-            "MODTRAN profile",
-            fmt::format("{} levels from the ground to 100 km, expected 2 to 999", levels.size()));
+        throw InputError("MODTRAN profile",
+                         fmt::format("found {} levels from the ground to 100 km, expected 2 to 999",
+                                     levels.size()));
     }
     Card card2c;
     card2c.integer(static_cast<int>(levels.size()), 5).integer(0, 5).integer(0, 5);

@@ -68,7 +68,7 @@ std::string_view LineReader::next(const char* expected) {
     if (done()) {
         throw InputError(fmt::format("{}:{}", file.string(), line.size()),
                          fmt::format("the file ends, expected {}", expected),
-                         "it may have been cut off");
+                         "the file may be truncated");
     }
     return line[at++];
 }

@@ -59,7 +59,7 @@ int wait_for(const ModtranRunner& runner, const std::vector<std::string>& enviro
          nap = std::min(2 * nap, std::chrono::milliseconds(50))) {
         if (Clock::now() - begin > runner.time_limit) {
             throw std::runtime_error(
-                fmt::format("{}: stopped after {:.1f} s without an end", name,
+                fmt::format("{}: stopped after {:.1f} s without a result", name,
                             std::chrono::duration<double>(runner.time_limit).count()));
         }
         if (bytes_in(folder) > runner.output_limit) {
@@ -106,7 +106,8 @@ std::string run_modtran(const ModtranRunner& runner, const std::string& tape5) {
                         WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status)));
     }
     if (!fs::is_regular_file(fs::symlink_status(tape7))) {
-        throw std::runtime_error(fmt::format("{}: left no file tape7", runner.executable.string()));
+        throw std::runtime_error(
+            fmt::format("{}: wrote no file tape7", runner.executable.string()));
     }
     return read_text(tape7, runner.output_limit);
 }
@@ -117,7 +118,7 @@ std::vector<Tape7Run> run_decks(const ModtranRunner& runner,
     std::vector<Tape7Run> runs = read_tape7_text("tape7 of " + runner.executable.string(), text);
     if (runs.size() != decks.size()) {
         throw std::runtime_error(
-            fmt::format("MODTRAN gave {} paths, {} were asked for", runs.size(), decks.size()));
+            fmt::format("MODTRAN computed {} paths, expected {}", runs.size(), decks.size()));
     }
     return runs;
 }

@@ -89,7 +89,7 @@ double cell(const LineReader& source, std::string_view line, std::size_t begin,
         throw InputError(source.where(begin),
                          fmt::format("blank, expected {} in columns {} to {}", column.name,
                                      begin + 1, column.end),
-                         line.size() < column.end ? "the line may have been cut off" : "");
+                         line.size() < column.end ? "the line may be truncated" : "");
     }
     if (!text.empty() && !parse_fortran(text, value)) {
         throw InputError(
@@ -158,7 +158,7 @@ Tape7Run read_run(LineReader& source, Kind kind) {
         read_row(source, line, layout, table);
     }
     if (table.wavenumber.empty()) {
-        throw InputError(source.where(0), "a run without a row of data");
+        throw InputError(source.where(0), "found a run without data rows");
     }
     if (layout.over_um) to_wavenumbers(table);
     return run;
@@ -175,7 +175,7 @@ std::vector<Tape7Run> read_runs(const std::filesystem::path& file, const std::st
         }
         runs.push_back(read_run(source, kind));
     }
-    if (runs.empty()) throw InputError(file.string(), "empty, expected a tape7");
+    if (runs.empty()) throw InputError(file.string(), "is empty, expected a tape7");
     return runs;
 }
 

@@ -31,7 +31,7 @@ Band response_band(std::string name, Spectrum response, std::span<const double> 
     assert(points_per_piece >= 1 && longest_piece_um > 0.0);
     if (response.value.size() < 2 || response.wavelength_um.front() < 0.2 ||
         response.wavelength_um.back() > 100.0) {
-        throw InputError("band " + name, "a response needs two or more wavelengths in 0.2 to 100");
+        throw InputError("band " + name, "a response needs at least two wavelengths in 0.2 to 100");
     }
     if (!(integral(response) > 0.0)) {
         throw InputError("band " + name, "the response is zero everywhere");
@@ -91,7 +91,7 @@ Spectrum read_response(const std::filesystem::path& path) {
         if (!(um >= 0.2 && um <= 100.0)) {
             throw InputError(
                 table.where(row, wavelength), fmt::format("found {:g} µm, expected 0.2 to 100", um),
-                um > 100.0 && !in_nm ? "nanometres? call the column wavelength_nm" : "");
+                um > 100.0 && !in_nm ? "for nanometres name the column wavelength_nm" : "");
         }
         if (row > 0 && !(um > curve.wavelength_um.back())) {
             throw InputError(table.where(row, wavelength),
@@ -101,7 +101,7 @@ Spectrum read_response(const std::filesystem::path& path) {
         if (!(response >= 0.0 && response <= 1.0)) {
             throw InputError(table.where(row, value),
                              fmt::format("found a response of {:g}, expected 0 to 1", response),
-                             response > 1.0 ? "divide by its greatest value" : "");
+                             response > 1.0 ? "divide the responses by their maximum" : "");
         }
         curve.wavelength_um.push_back(um);
         curve.value.push_back(response);
@@ -110,8 +110,9 @@ Spectrum read_response(const std::filesystem::path& path) {
     while (first + 1 < last && curve.value[first] == 0.0 && curve.value[first + 1] == 0.0) ++first;
     while (last > first + 1 && curve.value[last - 1] == 0.0 && curve.value[last - 2] == 0.0) --last;
     if (last - first < 2 || !(integral(curve) > 0.0)) {
-        throw InputError(path.string(),
-                         "the response is zero everywhere, expected two or more points");
+        throw InputError(
+            path.string(),
+            "the response is zero everywhere, expected at least two points above zero");
     }
     const auto part = [&](std::vector<double>& all) {
         all = std::vector<double>(all.begin() + std::ptrdiff_t(first),

@@ -77,17 +77,17 @@ Spectrum read_spectrum(const std::filesystem::path& path, double least, double m
     const std::size_t value = 1 - wavelength;
     if (table.rows.size() < 2) {
         throw InputError(path.string(),
-                         fmt::format("found {} rows, expected 2 or more", table.rows.size()));
+                         fmt::format("found {} rows, expected at least 2", table.rows.size()));
     }
     Spectrum s;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const double x = table.number(row, wavelength);
         const double y = table.number(row, value);
         if (!(x > 0.0) || (row > 0 && !(x > s.wavelength_um.back()))) {
-            throw InputError(table.where(row, wavelength),
-                             fmt::format("found wavelength {:g} µm, expected positive and "
-                                         "ascending ones",
-                                         x));
+            throw InputError(
+                table.where(row, wavelength),
+                fmt::format("found wavelength {:g} µm, expected positive, ascending wavelengths",
+                            x));
         }
         check_within(table.where(row, value) + ": " + table.header[value], y, least, most);
         s.wavelength_um.push_back(x);

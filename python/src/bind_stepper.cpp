@@ -47,7 +47,7 @@ py::dict facets_of(const Stepper& scene) {
 }  // namespace
 
 void bind_stepper(py::module_& module) {
-    py::class_<Observer>(module, "Observer", "A camera's pose, to be changed and handed in.")
+    py::class_<Observer>(module, "Observer", "Pose of a camera: change it and pass it to render().")
         .def_readonly("name", &Observer::name)
         .def_readwrite("position_m", &Observer::position, "east, north, up of the site")
         .def_readwrite("azimuth_deg", &Observer::azimuth_deg)

@@ -48,7 +48,7 @@ PYBIND11_MODULE(_core, module) {
         [](int threads) {
             if (threads < 0)
                 throw InputError("threads", "found " + std::to_string(threads),
-                                 "expected 0 (as many as there are) or more");
+                                 "expected 0 (one per core) or more");
             set_thread_count(threads);
         },
         py::arg("threads"));

@@ -44,7 +44,7 @@ py::object radiance(const std::string& band, py::array_t<double> kelvin) {
 py::object apparent_temperature(const std::string& band, py::array_t<double> radiance) {
     const Band of = parse_band(band);
     const auto each = [&](double value) {
-        if (!std::isfinite(value)) throw InputError("radiance", "found one that is not finite");
+        if (!std::isfinite(value)) throw InputError("radiance", "found a value that is not finite");
         return brightness_temperature(of, value);
     };
     return py::vectorize(each)(std::move(radiance));

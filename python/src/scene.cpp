@@ -25,8 +25,9 @@ Scene one_scene(const std::filesystem::path& file, const std::vector<std::string
                 bool allow_outside) {
     Scene scene = read_scene(file, settings, allow_outside);
     if (!scene.sweep.axes.empty())
-        throw InputError(file.string() + ": sweep", "found many scenes, expected one",
-                         "Scene.sweep(out) goes through them");
+        throw InputError(file.string() + ": sweep",
+                         "found a scene with variants, expected a single scene",
+                         "Scene.sweep(out) computes the variants");
     return scene;
 }
 

@@ -122,10 +122,9 @@ Oversampling oversampling_of(const Instrument& instrument, const SystemMtf& mtf)
         while (found.times < 6 && left_at(found.times) > 0.05) ++found.times;
     }
     found.why = fmt::format(
-        "{} samples of radiance a pixel each way{}: what is finer than {:.3g} cycles/mm folds "
-        "back, "
-        "of which the blur leaves {:.2f} at the most; pixels resolve {:.3g}",
-        found.times, instrument.oversampling > 0 ? ", as the scene says" : "",
+        "{} radiance samples per pixel and axis{}: frequencies above {:.3g} cycles/mm are aliased, "
+        "the blur reduces them to {:.2f} or less; the pixels resolve {:.3g} cycles/mm",
+        found.times, instrument.oversampling > 0 ? " (set in the scene)" : "",
         0.5e-3 * found.times / pitch, left_at(found.times), 0.5e-3 / pitch);
     return found;
 }

@@ -195,19 +195,19 @@ void check_lights(const Instrument& instrument, const Response& response) {
     if (step > least) return;
     throw InputError(
         "instrument " + instrument.name,
-        fmt::format("black bodies of {:g} and {:g} K differ by {:.3g} {} in the band, less than "
-                    "the noise of {:.3g}: no light to correct a fixed pattern by",
+        fmt::format("the black bodies of {:g} and {:g} K differ by {:.3g} {} in the band, less "
+                    "than the noise of {:.3g}: the fixed pattern cannot be corrected",
                     correction.temperature[0], correction.temperature[1], step, response.unit,
                     least),
-        "correction.well_shares or warmer black bodies will do");
+        "use correction.well_shares or warmer black bodies");
 }
 
 int margin_of(const Instrument& instrument, int width, int height, double focal_length) {
     const double beyond = overshoot(instrument, width, height, focal_length);
     if (beyond > 0.25 * std::max(width, height)) {
         throw InputError("instrument " + instrument.name,
-                         fmt::format("the lens' distortion reaches {:.0f} pixels beyond a picture "
-                                     "of {} x {}, more than a quarter",
+                         fmt::format("the lens distortion extends {:.0f} pixels beyond a picture "
+                                     "of {} x {}, more than a quarter of it",
                                      beyond, width, height));
     }
     return blur_reach + static_cast<int>(std::ceil(std::max(0.0, beyond)));
@@ -260,7 +260,7 @@ std::vector<float> see(const Camera& camera, std::span<const float> radiance) {
     const int times = camera.oversampling.times;
     if (radiance.size() != std::size_t(camera.seen_width()) * std::size_t(camera.seen_height())) {
         throw InputError("instrument " + camera.instrument.name,
-                         "the radiance is not of the size that the camera sees");
+                         "the radiance does not have the camera's picture size");
     }
     const std::vector<float> sharp_no_more = camera.blur(radiance);
     std::vector<float> flux(std::size_t(camera.width) * std::size_t(camera.height));

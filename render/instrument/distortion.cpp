@@ -45,10 +45,11 @@ Eigen::Vector2d undistorted(const Lens& lens, const Eigen::Vector2d& place) {
         if (!(step.norm() < 1e3)) break;
         if (step.norm() < 1e-13) return found;
     }
-    throw InputError("distortion",
-                     fmt::format("the lens' law folds over at {:.3g}, {:.3g} focal lengths from "
-                                 "the axis: the picture has a place that no direction falls on",
-                                 place.x(), place.y()));
+    throw InputError(
+        "distortion",
+        fmt::format("the lens distortion is not unique at {:.3g}, {:.3g} focal lengths from the "
+                    "axis: no direction maps to that place of the picture",
+                    place.x(), place.y()));
 }
 
 }  // namespace diurna

@@ -66,8 +66,8 @@ Noise noise_of(const Instrument& instrument, const Response& response) {
         const double lacking = square(detector.netd * slope) - others;
         if (lacking < 0.0) {
             throw InputError("instrument " + instrument.name,
-                             fmt::format("a NETD of {:.3g} mK is less than the {:.3g} mK that "
-                                         "counting electrons and 1/f noise make by themselves",
+                             fmt::format("a NETD of {:.3g} mK is less than the {:.3g} mK of shot "
+                                         "noise and 1/f noise alone",
                                          1e3 * detector.netd, 1e3 * std::sqrt(others) / slope));
         }
         noise.pixel = std::sqrt(lacking);

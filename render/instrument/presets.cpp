@@ -198,7 +198,7 @@ std::vector<std::string> preset_names() {
 Instrument preset(const std::string& name) {
     const auto found = presets().find(name);
     if (found == presets().end()) {
-        throw InputError("preset", "no instrument \"" + name + "\"",
+        throw InputError("preset", "unknown instrument \"" + name + "\"",
                          did_you_mean(name, preset_names()));
     }
     Instrument camera = found->second();

@@ -71,7 +71,7 @@ Response response_of(const Instrument& instrument, const Band& band, double hous
     const Spectrum weight = scene_weight(instrument, band.response);
     if (*std::max_element(weight.value.begin(), weight.value.end()) <= 0.0) {
         throw InputError("instrument " + instrument.name,
-                         "its lens and detector see nothing of the band " + band.name);
+                         "its lens and detector have no response in the band " + band.name);
     }
     found.scene = response_band(band.name, weight);
     const double solid_angle = std::numbers::pi / (4.0 * lens.f_number * lens.f_number + 1.0);

@@ -60,7 +60,7 @@ class Counting {
 Radiosity::Radiosity(const LitFacets& lit, const LitState& state, const RadiosityTables& tables,
                      std::span<const BandLight> bands, std::span<const BounceOptions> bounces)
     : lit_(lit), state_(state), tables_(tables), radiosity_(lit.facet.size() * tables.lanes) {
-    if (tables.lanes > most_lanes) throw InputError("render", "too many bands at a time");
+    if (tables.lanes > most_lanes) throw InputError("render", "too many bands at once");
     for_each_block(lit.facet.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (lit_.is_source[i]) first_bounce(i, bands, &radiosity_[i * tables_.lanes]);

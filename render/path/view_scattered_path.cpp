@@ -108,8 +108,8 @@ std::string add_scattered_paths(const View& view, const Observer& observer,
             }
         }
     });
-    return fmt::format("{:.2g} % from {} ranges, {} heights, {} angles", 100.0 * table.error(),
-                       table.ranges(), table.heights(), table.angles());
+    return fmt::format("interpolation error {:.2g} % with {} ranges, {} heights, {} angles",
+                       100.0 * table.error(), table.ranges(), table.heights(), table.angles());
 }
 
 }  // namespace diurna

@@ -51,7 +51,7 @@ class FileIn : public OPENEXR_IMF_NAMESPACE::IStream {
  public:
     explicit FileIn(std::ifstream file) : IStream("picture"), file_(std::move(file)) {}
     bool read(char to[], int n) override {
-        if (n < 0 || !file_.read(to, n)) throw std::runtime_error("ends too early");
+        if (n < 0 || !file_.read(to, n)) throw std::runtime_error("is truncated");
         return file_.peek() != std::ifstream::traits_type::eof();
     }
     std::uint64_t tellg() override { return static_cast<std::uint64_t>(file_.tellg()); }
@@ -119,7 +119,7 @@ std::size_t pixels_of(const Imf::Header& header, int& width, int& height) {
     const auto& window = header.dataWindow();
     const auto w = std::int64_t{window.max.x} - window.min.x + 1;
     const auto h = std::int64_t{window.max.y} - window.min.y + 1;
-    if (w < 1 || h < 1 || w > 65536 || h > 65536) throw std::runtime_error("has no sensible size");
+    if (w < 1 || h < 1 || w > 65536 || h > 65536) throw std::runtime_error("has no valid size");
     width = static_cast<int>(w);
     height = static_cast<int>(h);
     return static_cast<std::size_t>(w * h);

@@ -55,7 +55,7 @@ PlumeScene::PlumeScene(std::span<const Plume> plumes) {
         const MeshCheck check = check_mesh(corner, plume.triangle);
         if (!check.closed()) {
             throw InputError("plume " + plume.name,
-                             fmt::format("its mesh has {} open edges, expected a closed one",
+                             fmt::format("its mesh has {} open edges, expected a closed mesh",
                                          check.boundary_edges));
         }
         const std::vector<MaterialId> none(plume.triangle.size(), MaterialId{0});

@@ -117,9 +117,10 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
     const std::string where = "observer " + observer.name;
     if (options.from < 2 || options.to < options.from || options.to > 4096 ||
         !(options.tolerance > 0.0)) {
-        throw InputError(where, fmt::format("adaptive from {} to {} samples, tolerance {:g} K: "
-                                            "expected 2 <= from <= to <= 4096, a tolerance above 0",
-                                            options.from, options.to, options.tolerance));
+        throw InputError(where,
+                         fmt::format("adaptive from {} to {} samples, tolerance {:g} K: expected 2 "
+                                     "<= from <= to <= 4096 and a tolerance above 0",
+                                     options.from, options.to, options.tolerance));
     }
     for (const Appearance& appearance : appearances) {
         if (appearance.facet.size() != facets.size()) {

@@ -119,7 +119,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                const ViewOptions& options) {
     check_observer(observer);
     if (options.samples < 1 || options.samples > 4096) {
-        throw InputError("observer " + observer.name, "samples a pixel must be 1 to 4096");
+        throw InputError("observer " + observer.name, "samples per pixel must be 1 to 4096");
     }
     View view;
     view.width = observer.width;

@@ -78,7 +78,7 @@ void check_not_in_surface(const Observer& observer, const FacetSet& facets, cons
         const std::string thing = thing_hit(hit, facets, scene, ground_facets, names);
         throw InputError(
             "observer " + observer.name,
-            fmt::format("camera lies in a surface of {}, expected {:.2g} m away from it at least",
+            fmt::format("the camera is in a surface of {}, expected at least {:.2g} m from it",
                         thing.empty() ? "the ground" : thing, near),
             "move its position, or the object");
     }
@@ -114,8 +114,8 @@ void check_observer(const Observer& observer, const FacetSet& facets, const RayS
     throw InputError(
         "observer " + observer.name,
         name.empty()
-            ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
-            : fmt::format("camera is inside {}, {:.1f} m below its top", name, nearest.range),
+            ? fmt::format("the camera is {:.1f} m below the terrain", nearest.range)
+            : fmt::format("the camera is inside {}, {:.1f} m below its top", name, nearest.range),
         "raise its position");
 }
 
@@ -147,7 +147,7 @@ Observer looking_at(Observer observer, const Eigen::Vector3d& target) {
     const Eigen::Vector3d line = target - observer.position;
     const double level = std::hypot(line.x(), line.y());
     if (line.norm() == 0.0) {
-        throw InputError("observer " + observer.name, "looks at the place where it stands");
+        throw InputError("observer " + observer.name, "looks at its own place");
     }
     observer.azimuth_deg = level > 0.0 ? degrees(std::atan2(line.x(), line.y())) : 0.0;
     if (observer.azimuth_deg < 0.0) observer.azimuth_deg += 360.0;

@@ -116,8 +116,9 @@ std::string input_name(const fs::path& path, const Scene& scene) {
 std::vector<RunInput> run_inputs(const Scene& scene) {
     for (const FileRead& file : scene.files) {
         if (is_unchanged(file)) continue;
-        throw std::runtime_error(file.path.string() +
-                                 ": has changed since it was read; run again when it rests");
+        throw std::runtime_error(
+            file.path.string() +
+            ": changed while it was being read; run again when no other program writes to it");
     }
     std::set<fs::path> files = listed_inputs(scene);
     std::set<fs::path> real;

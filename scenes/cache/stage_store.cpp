@@ -124,7 +124,7 @@ std::string taken_reported(const StageStore* store) {
     const std::vector<std::string> taken =
         store == nullptr ? std::vector<std::string>{} : store->taken();
     if (taken.empty()) return "";
-    return fmt::format("as earlier runs have found them ({}): {}; --fresh finds all anew",
+    return fmt::format("from cache ({}): {}; --fresh recomputes everything",
                        store->folder().string(), fmt::join(taken, ", "));
 }
 

@@ -35,14 +35,14 @@ void calibrate_verb(const CalibrateArguments& a) {
 
 void add_calibrate_verb(CLI::App& app) {
     const auto a = std::make_shared<CalibrateArguments>();
-    CLI::App* verb = app.add_subcommand(
-        "calibrate", "numbers of a column file found from a measured curve: [calibrate]");
+    CLI::App* verb =
+        app.add_subcommand("calibrate", "fit material properties to a measured curve: [calibrate]");
     verb->add_option("COLUMN", a->file, "column file (TOML) with a table [calibrate]")->required();
     verb->add_option("--out", a->out, "folder for the results (default: calibrate)");
     verb->add_option("--set", a->settings,
-                     "key=value in place of what the file says: material.albedo=0.2");
+                     "KEY=VALUE replaces a value of the file: material.albedo=0.2");
     verb->add_flag("--allow-outside", a->allow_outside,
-                   "read files beyond the column's folder and the program's data");
+                   "permit input files outside the column file's folder and the program's data");
     verb->callback([a] { calibrate_verb(*a); });
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -22,23 +23,20 @@ namespace diurna {
 
 namespace {
 
-std::string reported_count(const std::vector<std::string>& warnings) {
-    return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
-}
-
 void check_verb(const SceneArguments& a, bool strict) {
     CheckedScene checked = check_scene(a.read(), a.settings, a.allow_outside);
     const std::vector<std::string> warnings = as_lines(checked.warnings);
     if (!checked.sweep.empty()) fmt::print("{}: {}\n", a.scene.string(), checked.sweep);
     if (strict && !checked.warnings.empty()) throw InputError(std::move(checked.warnings));
-    fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
-               warnings.empty() ? "fine" : reported_count(warnings), checked.facets,
-               checked.observers);
+    fmt::print("{}: {}, {}, {}\n", a.scene.string(),
+               warnings.empty() ? "no warnings" : number_of(warnings.size(), "warning"),
+               number_of(checked.facets, "facet"), number_of(checked.observers, "observer"));
     print_warnings(warnings);
     print_notes(checked.notes);
     if (const double most = free_memory(); most > 0.0 && checked.memory > most) {
         fmt::print(stderr,
-                   "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
+                   "note: this machine would refuse the run: the plan needs {:.1f} GB of memory, "
+                   "{:.1f} GB are free\n",
                    checked.memory / 1e9, most / 1e9);
     }
 }
@@ -46,15 +44,16 @@ void check_verb(const SceneArguments& a, bool strict) {
 }  // namespace
 
 void add_check_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("check", "every mistake of a scene file at once");
+    CLI::App* verb = app.add_subcommand("check", "report every error and warning of a scene file");
     const auto a = scene_arguments(*verb);
     const auto strict = std::make_shared<bool>(false);
-    verb->add_flag("--strict", *strict, "warnings are mistakes: exit code 2");
+    verb->add_flag("--strict", *strict, "treat warnings as errors (exit code 2)");
     verb->callback([a, strict] { check_verb(*a, *strict); });
 }
 
 void add_plan_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("plan", "what would be computed and what is skipped");
+    CLI::App* verb =
+        app.add_subcommand("plan", "list the computations of a run, with time and memory");
     verb->callback([a = scene_arguments(*verb)] {
         const Prepared prepared = prepare(a->read());
         if (!prepared.scene.sweep.axes.empty()) {

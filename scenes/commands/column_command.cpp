@@ -12,6 +12,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
 #include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job.hpp"
@@ -55,17 +56,16 @@ void column_verb(const ColumnArguments& a) {
         fmt::print("{}", text);
     } else {
         write_whole_file(a.out, text);
-        fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
-                   result.row.size(), result.passes, result.periodic_residual,
-                   result.worst_energy_closure);
+        fmt::print(stderr, "{}, {}, periodic to {:.1e} K, energy balance closed to {:.1e}\n",
+                   number_of(result.row.size(), "row"), number_of(result.passes, "pass", "passes"),
+                   result.periodic_residual, result.worst_energy_closure);
     }
     if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     if (result.converged) return;
     throw std::runtime_error(fmt::format(
-        "the spin-up has not converged in {} passes: periodic to {:.1e} K (tolerance "
-        "{:.0e} K), water on the surface to {:.1e} mm (tolerance {:.0e} mm); a shorter "
-        "time.longest_step_s, or time.spin_up = \"none\" with an earlier time.start, may "
-        "help",
+        "the spin-up did not converge in {} passes: periodic to {:.1e} K (limit {:.0e} K), water "
+        "on the surface periodic to {:.1e} mm (limit {:.0e} mm); reduce time.longest_step_s, or "
+        "set time.spin_up = \"none\" with an earlier time.start",
         result.passes, result.periodic_residual, periodic_tolerance, result.standing_residual,
         standing_tolerance));
 }
@@ -74,13 +74,14 @@ void column_verb(const ColumnArguments& a) {
 
 void add_column_verb(CLI::App& app) {
     const auto a = std::make_shared<ColumnArguments>();
-    CLI::App* verb = app.add_subcommand("column", "one facet driven by a weather file");
+    CLI::App* verb =
+        app.add_subcommand("column", "temperatures of one facet driven by a weather file");
     verb->add_option("COLUMN", a->file, "column file (TOML)")->required();
-    verb->add_option("--out", a->out, "CSV file; without it the result goes to stdout");
+    verb->add_option("--out", a->out, "CSV file of results (default: standard output)");
     verb->add_option("--set", a->settings,
-                     "key=value in place of what the file says: material.albedo=0.2");
+                     "KEY=VALUE replaces a value of the file: material.albedo=0.2");
     verb->add_flag("--allow-outside", a->allow_outside,
-                   "read files beyond the column's folder and the program's data");
+                   "permit input files outside the column file's folder and the program's data");
     verb->callback([a] { column_verb(*a); });
 }
 

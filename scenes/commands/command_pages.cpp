@@ -91,36 +91,36 @@ diurna \- thermal and diurnal terrain scenes, rendered for calibrated instrument
 .I VERB
 .RI [ options ]
 .SH DESCRIPTION
-Of elevation data, materials, weather, objects and observers
+From elevation data, materials, weather, objects and observers,
 .B diurna
-finds the temperature of every facet through a day and longer, and renders what instruments from 0.35 to 20 micrometres
-would see, into OpenEXR.
+computes the temperature of every facet over one or more days and renders the pictures of instruments
+between 0.35 and 20 micrometres as OpenEXR files.
 .B diurna new
 writes a first scene;
 .B diurna keys
-prints every key that a scene may have.
+prints every key of a scene file.
 .SH VERBS
 )";
 
 constexpr const char* man_foot = R"(.SH EXIT STATUS
 .TP
 .B 0
-done
+success
 .TP
 .B 1
-failed while running, or the solver has not converged (results are kept)
+failure during the run, or the solver has not converged (results are written)
 .TP
 .B 2
-bad input or usage; nothing was written
+invalid input or usage; nothing was written
 .SH ENVIRONMENT
 .TP
 .B DIURNA_DATA
-folder of the material library, spectra and tables of the air, in place of the program's own
+folder of the material library, spectra and atmospheric tables (default: the one installed with the program)
 .TP
 .B DIURNA_STAGES
-folder of what runs leave for later ones, in place of ~/.cache/diurna; "off": none is kept or used
+cache folder for the results of stages (default: ~/.cache/diurna); "off" disables the cache
 .SH SEE ALSO
-README.md, KEYS.md and SECURITY.md beside this program's copyright in share/doc.
+README.md, KEYS.md and SECURITY.md in the share/doc folder of the package.
 )";
 
 }  // namespace
@@ -151,7 +151,7 @@ std::string bash_completion(const CLI::App& app) {
             cases += fmt::format("        case $before in\n{}        esac\n", chosen);
         cases += "        ;;\n";
     }
-    return fmt::format(R"(# What bash completes for diurna; printed by `diurna pages --bash`.
+    return fmt::format(R"(# Bash completion for diurna; printed by `diurna pages --bash`.
 _diurna() {{
     local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words=
     case ${{COMP_WORDS[1]}} in

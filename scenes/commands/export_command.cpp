@@ -10,6 +10,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/number_of.hpp"
 #include "scenes/export/coloured_ply.hpp"
 #include "scenes/export/curve_csv.hpp"
 #include "scenes/export/heat_raster.hpp"
@@ -31,18 +32,20 @@ struct ExportArguments {
 
 void check_arguments(const ExportArguments& a) {
     if (!a.of.empty() && a.to != "csv") {
-        throw InputError("--of", "is for --to csv: other kinds hold all facets");
+        throw InputError("--of", "applies to --to csv only; the other formats contain all facets");
     }
     const bool raster = a.to == "geotiff" || a.to == "kmz";
     if (raster && a.scene.empty()) {
-        throw InputError("--scene",
-                         fmt::format("is needed for --to {}: its raster is the scene's", a.to));
+        throw InputError(
+            "--scene",
+            fmt::format("is required for --to {}, which uses the raster of the scene", a.to));
     }
     if (!raster && (!a.scene.empty() || !a.settings.empty() || a.allow_outside)) {
-        throw InputError("--scene, --set, --allow-outside", "are for --to geotiff and kmz");
+        throw InputError("--scene, --set, --allow-outside", "apply to --to geotiff and kmz only");
     }
     if (a.to == "ply" && a.at.size() != 1) {
-        throw InputError("--at", fmt::format("found {}, expected one for --to ply", a.at.size()));
+        throw InputError("--at",
+                         fmt::format("found {} values, expected one for --to ply", a.at.size()));
     }
 }
 
@@ -71,29 +74,31 @@ void export_verb(const ExportArguments& a) {
         check_output_file(a.out, opened.files());
         const std::vector<NamedGroup> groups = named_groups(heat, a.of);
         write_whole_file(a.out, curve_csv(heat, groups, instants));
-        fmt::print("{} curves of {} instants: {}\n", groups.size(), instants.size(), out);
+        fmt::print("{} at {}: {}\n", number_of(groups.size(), "curve"),
+                   number_of(instants.size(), "instant"), out);
     } else if (a.to == "vtu") {
         const std::size_t files = write_vtu_day(a.out, heat, instants, opened.files());
-        fmt::print("{} facets, {} instants, {} files: {}\n", heat.field.facets, instants.size(),
-                   files, out);
+        fmt::print("{}, {}, {}: {}\n", number_of(heat.field.facets, "facet"),
+                   number_of(instants.size(), "instant"), number_of(files, "file"), out);
     } else if (a.to == "geotiff") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
         check_output_file(a.out, files_named_in(scene));
         const std::size_t posts = write_heat_geotiff(a.out, heat, scene, instants);
-        fmt::print("{} posts, {} instants: {}\n", posts, instants.size(), out);
+        fmt::print("{}, {}: {}\n", number_of(posts, "post"), number_of(instants.size(), "instant"),
+                   out);
     } else if (a.to == "kmz") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
         check_output_file(a.out, files_named_in(scene));
         const ColourScale scale = write_kmz(a.out, heat, scene, instants);
-        fmt::print("{} instants, {:g} to {:g} degC: {}\n", instants.size(), scale.low, scale.high,
-                   out);
+        fmt::print("{}, {:g} to {:g} degC: {}\n", number_of(instants.size(), "instant"), scale.low,
+                   scale.high, out);
     } else {
         check_output_file(a.out, opened.files());
         const ColourScale scale = write_coloured_ply(a.out, heat, heat_at(heat, instants.front()));
-        fmt::print("{} facets, {:g} to {:g} degC: {}\n", heat.field.facets, scale.low, scale.high,
-                   out);
+        fmt::print("{}, {:g} to {:g} degC: {}\n", number_of(heat.field.facets, "facet"), scale.low,
+                   scale.high, out);
     }
 }
 
@@ -101,26 +106,28 @@ void export_verb(const ExportArguments& a) {
 
 void add_export_verb(CLI::App& app) {
     const auto a = std::make_shared<ExportArguments>();
-    CLI::App* verb = app.add_subcommand("export", "a run's temperatures for other programs");
-    verb->add_option("FOLDER", a->folder, "of a run")->required();
+    CLI::App* verb =
+        app.add_subcommand("export", "convert the temperatures of a run to other formats");
+    verb->add_option("FOLDER", a->folder, "folder of a run")->required();
     verb->add_option("--to", a->to,
-                     "csv curves; vtu meshes for ParaView; geotiff the ground on the scene's "
-                     "raster; ply a coloured mesh; kmz overlays for globes")
+                     "csv: curves; vtu: meshes for ParaView; geotiff: ground on the scene's "
+                     "raster; ply: coloured mesh; kmz: overlays for globes")
         ->required()
         ->check(CLI::IsMember({"csv", "vtu", "geotiff", "ply", "kmz"}));
     verb->add_option("--out", a->out,
-                     "FILE.csv, FILE.pvd (with .vtu beside it), FILE.tif, FILE.ply, "
-                     "FILE.kmz")
+                     "output file: FILE.csv, FILE.pvd (with .vtu files beside it), FILE.tif, "
+                     "FILE.ply or FILE.kmz")
         ->required();
     verb->add_option(
         "--at", a->at,
-        "an instant, may be repeated (default: all kept ones; of geotiff and kmz every hour)");
+        "instant; may be repeated (default: all stored instants; every hour for geotiff and kmz)");
     verb->add_option("--of", a->of,
-                     "material:NAME or object:NAME, may be repeated (csv; default: all)");
-    verb->add_option("--scene", a->scene, "the run's scene file (geotiff, kmz)");
-    verb->add_option("--set", a->settings, "key=value, as the run had it (geotiff, kmz)");
-    verb->add_flag("--allow-outside", a->allow_outside,
-                   "read files beside the scene that lie elsewhere (geotiff, kmz)");
+                     "material:NAME or object:NAME; may be repeated (csv; default: all)");
+    verb->add_option("--scene", a->scene, "scene file of the run (geotiff, kmz)");
+    verb->add_option("--set", a->settings, "KEY=VALUE settings of the run (geotiff, kmz)");
+    verb->add_flag(
+        "--allow-outside", a->allow_outside,
+        "permit input files outside the scene's folder and the program's data (geotiff, kmz)");
     verb->callback([a] { export_verb(*a); });
 }
 

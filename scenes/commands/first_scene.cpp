@@ -29,36 +29,37 @@ std::string first_scene_text(const FirstScene& scene) {
     std::string text =
         fmt::format(R"(# A first scene, written by diurna new. Next:
 #
-#   diurna check scene.toml     every mistake at once
-#   diurna plan scene.toml      what would be computed, and how long it takes
+#   diurna check scene.toml     report errors and warnings
+#   diurna plan scene.toml      list the computations, with time and memory
 #   diurna run scene.toml       pictures, temperatures and report.html into the folder out
 #
-# All keys with units and ranges: diurna keys. Lengths in metres; places are [east, north] of the site.
+# All keys with units and ranges: diurna keys. Lengths in metres; places are [east, north] from the site.
 
 [scene]
 name = "{}"
 
-[site]  # the middle; its height is that of the ground
+[site]  # centre of the scene, at the height of the ground
 latitude_deg = {:.6f}
 longitude_deg = {:.6f}
 
 [terrain]
 elevation = "{}"
-radius_m = {:.0f}      # of the ground that is read around the site
-tolerance_m = 1.0    # no post lies farther from the mesh than this, vertically
-material = "grass"   # of all ground that nothing below covers: diurna materials lists what there is
+radius_m = {:.0f}      # the ground within this distance of the site is used
+tolerance_m = 1.0    # largest vertical distance between mesh and elevation posts
+material = "grass"   # default material of the ground; list of materials: diurna materials
 )",
                     in_quotes(scene.name), scene.place.latitude_deg, scene.place.longitude_deg,
                     in_quotes(scene.elevation), scene.radius);
-    if (scene.fills_voids) text += "voids = \"fill\"      # posts without elevation in the file\n";
-    text += fmt::format(R"(
-[[ground]]             # later polygons lie on top; ring_m = [[east, north], ...] for other shapes
+    if (scene.fills_voids) text += "voids = \"fill\"      # interpolates posts without elevation\n";
+    text +=
+        fmt::format(R"(
+[[ground]]             # later polygons cover earlier ones; ring_m = [[east, north], ...] for other shapes
 name = "yard"
 material = "asphalt"
 rectangle_m = [0.0, 0.0, 40.0, 30.0, 0.0]  # east, north, length, width, heading of the length
-largest_edge_m = 4.0   # of its triangles
+largest_edge_m = 4.0   # of the polygon's triangles
 
-[[object]]             # mesh = "FILE.obj" for your own; diurna model lists what the program builds
+[[object]]             # or mesh = "FILE.obj"; list of built-in models: diurna model
 name = "truck"
 model = "truck"
 place_m = [-8.0, 0.0]
@@ -74,13 +75,12 @@ heading_deg = 120.0
 [weather]
 file = "{}"{}
 )",
-                        in_quotes(scene.weather),
-                        scene.weather_made_up
-                            ? "  # made up, no measurement: put a measured file here. A clear day, "
-                              "air straight between\n# 15 degC at 5 h and 29 degC at 15 h, "
-                              "vapour of half saturation at 15 h, wind of 2 m/s; sun and sky are "
-                              "modelled"
-                            : "  # what was not measured is modelled, and told");
+                    in_quotes(scene.weather),
+                    scene.weather_made_up
+                        ? "  # generated, not measured: replace it by a measured file. A clear "
+                          "day: air temperature linear between\n# 15 degC at 5 h and 29 degC at 15 "
+                          "h, relative humidity 50 % at 15 h, wind 2 m/s; sun and sky are modelled"
+                        : "  # quantities that the file lacks are modelled and reported");
     if (scene.weather_made_up) text += "interval = \"instant\"\n";
     text += fmt::format(R"(
 [atmosphere]           # between surface and camera
@@ -90,7 +90,7 @@ visibility_km = 23.0
 [time]
 start = {}
 duration_h = {:g}
-frame_every_s = 3600.0 # a picture each hour
+frame_every_s = 3600.0 # one picture per hour
 
 [[observer]]
 name = "south"
@@ -100,14 +100,14 @@ look_at_m = [0.0, 0.0]
 horizontal_fov_deg = 30.0
 width = 320
 height = 256
-bands = ["3-5", "8-12"]  # um; "0.4-0.7" for what eyes see
+bands = ["3-5", "8-12"]  # um; "0.4-0.7" is visible light
 
-# When the truck cannot be reported from the yard: diurna crossover scene.toml
+# When truck and yard have the same apparent temperature: diurna crossover scene.toml
 [[crossover]]
 first = "truck"
 second = "yard"
 
-# How they stand out from what is around them: diurna contrast scene.toml
+# Contrast of the targets with their background: diurna contrast scene.toml
 [[contrast]]
 targets = ["truck", "generator"]
 )",

@@ -22,12 +22,13 @@ struct InspectArguments {
 
 void add_inspect_verb(CLI::App& app) {
     const auto a = std::make_shared<InspectArguments>();
-    CLI::App* verb = app.add_subcommand("inspect", "what a file holds, and what to call next");
-    verb->add_option("FILE", a->file, "any input or output of the program; a run's folder")
+    CLI::App* verb =
+        app.add_subcommand("inspect", "describe a file's contents and suggest the next command");
+    verb->add_option("FILE", a->file, "any input or output file of the program, or a run's folder")
         ->required();
-    verb->add_flag("--json", a->json, "as one JSON object");
+    verb->add_flag("--json", a->json, "print one JSON object");
     verb->add_flag("--allow-outside", a->options.allow_outside,
-                   "read files beside it that lie elsewhere");
+                   "permit input files outside the file's folder");
     verb->callback([a] {
         const Found found = inspect(a->file, a->options);
         fmt::print("{}", a->json ? found_json(a->file.string(), found) : found_text(found));

@@ -12,9 +12,9 @@
 namespace diurna {
 
 void add_keys_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("keys", "every key of scene and column files");
+    CLI::App* verb = app.add_subcommand("keys", "print every key of scene and column files");
     const auto schema = std::make_shared<bool>(false);
-    verb->add_flag("--schema", *schema, "as a JSON Schema, for editors of TOML");
+    verb->add_flag("--schema", *schema, "print a JSON Schema, for editors with TOML support");
     verb->callback([schema] {
         const KeyBook book = key_book();
         fmt::print("{}", *schema ? keys_schema(book) : keys_page(book));

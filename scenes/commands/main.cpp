@@ -22,6 +22,7 @@
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
 #include "scenes/commands/export_command.hpp"
+#include "scenes/commands/help_page.hpp"
 #include "scenes/commands/inspect_command.hpp"
 #include "scenes/commands/keys_command.hpp"
 #include "scenes/commands/materials_command.hpp"
@@ -61,16 +62,19 @@ void check_first_word(const CLI::App& app, int argc, char** argv) {
     for (const CLI::App* verb : app.get_subcommands({})) known.push_back(verb->get_name());
     if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return;
     const std::string hint = did_you_mean(argv[1], known);
-    throw InputError("diurna", fmt::format("no verb '{}'", argv[1]),
+    throw InputError("diurna", fmt::format("unknown verb '{}'", argv[1]),
                      hint.empty() ? fmt::format("{}", fmt::join(known, ", ")) : hint);
 }
 
 void run_program(int argc, char** argv) {
-    CLI::App app("thermal and diurnal terrain scenes, rendered for calibrated instruments",
-                 "diurna");
+    CLI::App app(
+        "diurna: temperatures of terrain scenes, and their pictures by calibrated instruments",
+        "diurna");
     app.set_version_flag("--version", "diurna " DIURNA_VERSION);
     app.require_subcommand(1);
     for (const auto add_verb : verbs) add_verb(app);
+    group_verbs(app);
+    app.formatter(help_page());
     check_option_values(app);
     check_first_word(app, argc, argv);
     try {
@@ -80,13 +84,13 @@ void run_program(int argc, char** argv) {
             app.exit(error);  // --help and --version
             return;
         }
-        throw InputError("diurna", error.what(), "diurna --help");
+        throw InputError("diurna", error.what(), "see diurna --help");
     }
 }
 
 /// Where no one catches: one line, no file half done, an exit code and no core.
 [[noreturn]] void end_uncaught() {
-    end_at_once("diurna: there is not enough memory, or a defect of the program\n");
+    end_at_once("diurna: out of memory, or a defect of the program\n");
 }
 
 /// GDAL and others end the program so where memory fails.
@@ -103,7 +107,8 @@ void begin() {
 
 int main(int argc, char** argv) {
     if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
-        std::fputs("diurna: this processor has no AVX2 and FMA, which the program needs\n", stderr);
+        std::fputs("diurna: the processor lacks AVX2 and FMA, which the program requires\n",
+                   stderr);
         return failed;
     }
     try {
@@ -119,7 +124,7 @@ int main(int argc, char** argv) {
         error.print(stderr);
         return bad_input;
     } catch (const std::bad_alloc&) {
-        std::fputs("diurna: there is not enough memory\n", stderr);
+        std::fputs("diurna: out of memory\n", stderr);
         return failed;
     } catch (const std::exception& error) {
         std::istringstream lines(error.what());

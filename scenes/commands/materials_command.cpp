@@ -23,7 +23,7 @@ struct MaterialsArguments {
 
 void materials_verb(const MaterialsArguments& arguments) {
     if (int{arguments.page} + int{arguments.chart} + int{!arguments.name.empty()} > 1) {
-        throw InputError("diurna materials", "expected a name, --page or --chart, one of them");
+        throw InputError("diurna materials", "expected exactly one of a name, --page or --chart");
     }
     const std::filesystem::path file = data_folder() / "library.toml";
     const MaterialLibrary library = load_material_library(file);
@@ -46,10 +46,11 @@ void materials_verb(const MaterialsArguments& arguments) {
 
 void add_materials_verb(CLI::App& app) {
     const auto a = std::make_shared<MaterialsArguments>();
-    CLI::App* verb = app.add_subcommand("materials", "the library: all, or one with its sources");
-    verb->add_option("NAME", a->name, "of a material");
-    verb->add_flag("--page", a->page, "the page materials/LIBRARY.md");
-    verb->add_flag("--chart", a->chart, "its chart, SVG");
+    CLI::App* verb = app.add_subcommand(
+        "materials", "list the material library, or print one material with its sources");
+    verb->add_option("NAME", a->name, "name of a material");
+    verb->add_flag("--page", a->page, "print the page materials/LIBRARY.md");
+    verb->add_flag("--chart", a->chart, "print the page's chart as SVG");
     verb->callback([a] { materials_verb(*a); });
 }
 

@@ -11,6 +11,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "terrain/objects/obj_file.hpp"
 
@@ -25,7 +26,7 @@ struct ModelArguments {
 
 void list_models() {
     fmt::print("{:<20} {:>7} {:>7} {:>7}  {:<22} {}\n", "model", "low", "medium", "high",
-               "x, y, z [m]", "what it is");
+               "x, y, z [m]", "description");
     for (const std::string& name : model_names()) {
         std::string line = fmt::format("{:<20}", name);
         Eigen::AlignedBox3d box;
@@ -43,7 +44,8 @@ void list_models() {
 
 void model_verb(const ModelArguments& arguments) {
     if (arguments.name.empty()) {
-        if (!arguments.out.empty()) throw InputError("diurna model", "--out needs a name");
+        if (!arguments.out.empty())
+            throw InputError("diurna model", "--out needs the name of a model");
         list_models();
         return;
     }
@@ -68,8 +70,8 @@ void model_verb(const ModelArguments& arguments) {
               fmt::format("{}: {}; {} detail", arguments.name, model_line(arguments.name),
                           arguments.detail));
     write_whole_file(parts, read_text(model_part_file(arguments.name)));
-    fmt::print("{} triangles in {} parts: {}, {}\n", mesh.triangle.size(), mesh.part.size(),
-               arguments.out.string(), parts.string());
+    fmt::print("{} in {}: {}, {}\n", number_of(mesh.triangle.size(), "triangle"),
+               number_of(mesh.part.size(), "part"), arguments.out.string(), parts.string());
 }
 
 }  // namespace
@@ -77,10 +79,10 @@ void model_verb(const ModelArguments& arguments) {
 void add_model_verb(CLI::App& app) {
     const auto a = std::make_shared<ModelArguments>();
     CLI::App* verb =
-        app.add_subcommand("model", "objects built by the program: all, or one as OBJ");
-    verb->add_option("NAME", a->name, "of a model");
-    verb->add_option("--detail", a->detail, "low, medium or high");
-    verb->add_option("--out", a->out, "OBJ; NAME.parts.toml goes beside it");
+        app.add_subcommand("model", "list the built-in object models, or write one as OBJ");
+    verb->add_option("NAME", a->name, "name of a model");
+    verb->add_option("--detail", a->detail, "level of detail: low, medium or high");
+    verb->add_option("--out", a->out, "OBJ file; NAME.parts.toml is written beside it");
     verb->callback([a] { model_verb(*a); });
 }
 

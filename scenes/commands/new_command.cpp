@@ -14,6 +14,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
 #include "materials/base/units.hpp"
 #include "scenes/commands/first_scene.hpp"
@@ -44,7 +45,8 @@ Geodetic new_place(const std::string& text) {
     if (std::sscanf(text.c_str(), "%lf,%lf%c", &place.latitude_deg, &place.longitude_deg, &rest) !=
             2 ||
         !(std::abs(place.latitude_deg) <= 90.0) || !(std::abs(place.longitude_deg) <= 180.0)) {
-        throw InputError("--at " + text, "expected degrees north and east: 36.32,-84.203");
+        throw InputError("--at " + text,
+                         "expected latitude and longitude in degrees: 36.32,-84.203");
     }
     return place;
 }
@@ -93,7 +95,7 @@ void choose_span(const fs::path& file, FirstScene& scene) {
     scene.start = std::chrono::ceil<std::chrono::hours>(first);
     scene.duration_h = std::floor(seconds_between(scene.start, last) / 3600.0);
     if (scene.duration_h < 1.0) {
-        throw InputError(file.string(), "covers less than an hour, expected a day");
+        throw InputError(file.string(), "covers less than an hour, expected at least one day");
     }
 }
 
@@ -112,11 +114,11 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
         scene.place = a.at.empty() ? dem_centre(dem) : new_place(a.at);
         const double room = room_around(dem, scene.place);
         if (!(room >= least_radius)) {
-            throw InputError(a.dem.string(),
-                             fmt::format("has {:.0f} m around {:.5f} N {:.5f} E, expected {:.0f} "
-                                         "at least",
-                                         room, scene.place.latitude_deg, scene.place.longitude_deg,
-                                         least_radius));
+            throw InputError(
+                a.dem.string(),
+                fmt::format(
+                    "extends only {:.0f} m around {:.5f} N {:.5f} E, expected at least {:.0f} m",
+                    room, scene.place.latitude_deg, scene.place.longitude_deg, least_radius));
         }
         scene.radius = std::floor(std::min(largest_radius, 0.98 * room));
         opened = watching.files();
@@ -139,20 +141,21 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
 void new_verb(const NewArguments& a) {
     std::error_code none;
     if (fs::exists(a.folder, none)) {
-        throw InputError(a.folder.string(), "is there already, expected the name of a new folder");
+        throw InputError(a.folder.string(), "exists, expected the name of a new folder");
     }
     if (!fs::create_directory(a.folder, none)) {
-        throw InputError(a.folder.string(), "cannot be made: " + none.message());
+        throw InputError(a.folder.string(), "cannot create the folder: " + none.message());
     }
     try {
         const FirstScene scene = fill(a, a.folder);
         const fs::path file = a.folder / "scene.toml";
         write_whole_file(file, first_scene_text(scene));
         const Prepared prepared = prepare(read_scene(file));
-        fmt::print("{}: {} facets, {} pictures, from {} for {:g} h{}\n", file.string(),
-                   prepared.world.surfaces().size(), prepared.plan.frames.size(),
+        fmt::print("{}: {}, {}, from {} for {:g} h{}\n", file.string(),
+                   number_of(prepared.world.surfaces().size(), "facet"),
+                   number_of(prepared.plan.frames.size(), "picture"),
                    format_local(scene.start, scene.utc_offset), scene.duration_h,
-                   scene.weather_made_up ? "; its weather is made up" : "");
+                   scene.weather_made_up ? "; the weather is generated, not measured" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
         for (const Mistake& one : prepared.warnings)
             fmt::print(stderr, "warning: {}\n", plain(one.line()));
@@ -168,13 +171,16 @@ void new_verb(const NewArguments& a) {
 
 void add_new_verb(CLI::App& app) {
     const auto a = std::make_shared<NewArguments>();
-    CLI::App* verb = app.add_subcommand("new", "a first scene of a place, made of its elevation");
-    verb->add_option("FOLDER", a->folder, "that is made; its name is the scene's")->required();
-    verb->add_option("--dem", a->dem, "elevation of the place, a raster that GDAL reads")
+    CLI::App* verb =
+        app.add_subcommand("new", "write a first scene for a place from its elevation data");
+    verb->add_option("FOLDER", a->folder, "new folder; its name becomes the scene's name")
+        ->required();
+    verb->add_option("--dem", a->dem, "elevation of the place (a raster that GDAL reads)")
         ->required();
     verb->add_option("--weather", a->weather,
-                     "EPW, TMY3, SURFRAD, BSRN, ERA5 or CSV; else a clear day is made up");
-    verb->add_option("--at", a->at, "LATITUDE,LONGITUDE of the middle (default: the raster's)");
+                     "EPW, TMY3, SURFRAD, BSRN, ERA5 or CSV file (default: a generated clear day)");
+    verb->add_option("--at", a->at,
+                     "LATITUDE,LONGITUDE of the centre (default: centre of the raster)");
     verb->callback([a] { new_verb(*a); });
 }
 

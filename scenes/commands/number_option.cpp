@@ -69,7 +69,7 @@ void check_option_values(CLI::App& app) {
             if (is_number(option->get_type_name())) within(option, {});
             checked(option, [](const std::string& text) {
                 return text.find_first_not_of(" \t") == std::string::npos
-                           ? std::string("found an empty text, expected a value")
+                           ? std::string("found an empty value, expected a value")
                            : std::string();
             });
         }

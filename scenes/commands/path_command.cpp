@@ -92,7 +92,7 @@ std::vector<PathInBand> by_modtran(const ModtranRunner& runner, const ModtranDec
         };
         if (from < path.wavelength_um.front() - 1e-9 || to > path.wavelength_um.back() + 1e-9) {
             throw std::runtime_error(
-                fmt::format("MODTRAN gave {:g} to {:g} um, the band needs {:g} to {:g}",
+                fmt::format("MODTRAN computed {:g} to {:g} um, the band needs {:g} to {:g} um",
                             path.wavelength_um.front(), path.wavelength_um.back(), from, to));
         }
         std::vector<double> slope, left;
@@ -141,7 +141,7 @@ void path_verb(const PathArguments& arguments) {
         results = paths_in_bands(arguments.path, model, line, bands);
     } else {
         if (!arguments.csv.empty()) {
-            throw InputError("--csv", "writes the embedded model's spectrum, not MODTRAN's");
+            throw InputError("--csv", "writes the spectrum of the embedded model, not MODTRAN's");
         }
         const auto runner = modtran_runner(arguments.modtran);
         results = by_modtran(*runner, deck_of(arguments, model, line, bands), bands);
@@ -164,39 +164,43 @@ void path_verb(const PathArguments& arguments) {
 void add_path_verb(CLI::App& app) {
     const auto a = std::make_shared<PathArguments>();
     CLI::App* verb =
-        app.add_subcommand("path", "transmittance and radiance of one path through the air");
+        app.add_subcommand("path", "transmittance and radiance of one path through the atmosphere");
     verb->add_option("--profile", a->profile,
-                     "TROP MLS MLW SAS SAW US76, or a radiosonde's .csv file");
-    verb->add_option("--aerosol", a->aerosol, "none, rural, maritime, urban, ...");
-    within(verb->add_option("--visibility-km", a->visibility_km, "at the ground, of the haze (23)"),
+                     "TROP, MLS, MLW, SAS, SAW, US76, or a radiosonde's .csv file");
+    verb->add_option("--aerosol", a->aerosol, "aerosol: none, rural, maritime, urban, ...");
+    within(verb->add_option("--visibility-km", a->visibility_km,
+                            "visibility at the ground (default: 23)"),
            {0.05, 300.0}, "km");
-    within(verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (today's)"), {0.0, 1e4},
-           "ppm");
-    within(verb->add_option("--ground-km", a->ground_km, "where the haze begins"), {-0.5, 5.5},
-           "km");
-    within(verb->add_option("--rain-mm-h", a->rain_mm_h, "along the whole path"), {0.0, 300.0},
-           "mm/h");
-    within(verb->add_option("--height-km", a->path.height_km, "start of the path above the sea"),
+    within(verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (default: today's)"),
+           {0.0, 1e4}, "ppm");
+    within(verb->add_option("--ground-km", a->ground_km, "base of the haze"), {-0.5, 5.5}, "km");
+    within(verb->add_option("--rain-mm-h", a->rain_mm_h, "rain rate along the whole path"),
+           {0.0, 300.0}, "mm/h");
+    within(verb->add_option("--height-km", a->path.height_km,
+                            "height of the path's start above the sea"),
            AirPath::heights_km, "km");
-    within(verb->add_option("--zenith-deg", a->path.zenith_deg, "at the start of the path"),
+    within(verb->add_option("--zenith-deg", a->path.zenith_deg, "zenith angle at the path's start"),
            {0.0, 180.0});
     within(verb->add_option("--range-km", a->path.range_km,
-                            "its length; or one of the three that follow"),
+                            "length of the path; or give one of the next three options"),
            AirPath::ranges_km, "km");
-    within(verb->add_option("--to-height-km", a->path.to_height_km, "above the sea, where it ends"),
+    within(verb->add_option("--to-height-km", a->path.to_height_km,
+                            "height above the sea at the path's end"),
            AirPath::heights_km, "km");
-    verb->add_flag("--to-ground", a->path.to_ground, "it ends on the ground");
-    verb->add_flag("--to-space", a->path.to_space, "it ends above the air");
-    within(verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "adds scattered sunlight"),
+    verb->add_flag("--to-ground", a->path.to_ground, "the path ends at the ground");
+    verb->add_flag("--to-space", a->path.to_space, "the path ends above the atmosphere");
+    within(verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "add scattered sunlight"),
            {0.0, 180.0});
-    within(verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg, "of the path"),
+    within(verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg,
+                            "azimuth of the path"),
            {-360.0, 360.0});
-    within(verb->add_option("--ground-albedo", a->path.ground_albedo, "below the path, with a sun"),
+    within(verb->add_option("--ground-albedo", a->path.ground_albedo,
+                            "albedo of the ground below the path (with a sun)"),
            {0.0, 1.0});
-    verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be given again")->required();
-    verb->add_option("--csv", a->csv, "file for the whole spectrum");
+    verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be repeated")->required();
+    verb->add_option("--csv", a->csv, "write the whole spectrum to this file");
     verb->add_option("--modtran", a->modtran,
-                     "MODTRAN 5 to run in place of the embedded model (absolute path)");
+                     "run this MODTRAN 5 instead of the embedded model (absolute path)");
     verb->callback([a] { path_verb(*a); });
 }
 

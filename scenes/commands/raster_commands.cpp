@@ -40,7 +40,7 @@ namespace diurna {
 
 namespace {
 
-constexpr const char* outside_says = "read files beside it that lie elsewhere";
+constexpr const char* outside_says = "permit input files outside the file's folder";
 
 /// Of what lies beside a raster of the command line; none: its own folder.
 std::optional<Confines> bounds(bool allow_outside) {
@@ -105,8 +105,9 @@ struct VisibilityArguments {
 
 void visibility_verb(const VisibilityArguments& arguments) {
     if (arguments.sun_azimuth_deg.has_value() != arguments.sun_elevation_deg.has_value()) {
-        throw InputError("visibility",
-                         "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
+        throw InputError(
+            "visibility",
+            "found only one of --sun-azimuth-deg and --sun-elevation-deg, expected both");
     }
     const FilesRead opened;
     const Dem dem = read_dem(
@@ -157,30 +158,35 @@ void visibility_verb(const VisibilityArguments& arguments) {
 void add_mesh_verb(CLI::App& app) {
     const auto a = std::make_shared<MeshArguments>();
     CLI::App* verb =
-        app.add_subcommand("mesh", "triangulate an elevation raster to a vertical tolerance");
-    verb->add_option("DEM", a->dem, "any raster of the drivers GDAL is allowed")->required();
+        app.add_subcommand("mesh", "triangulate an elevation raster within a vertical tolerance");
+    verb->add_option("DEM", a->dem,
+                     "elevation raster (GeoTIFF, SRTM, ASCII grid and other GDAL formats)")
+        ->required();
     within(verb->add_option("--tolerance-m", a->tolerance_m,
                             "largest vertical distance between mesh and raster"),
            {0.0, 1e4}, "m")
         ->required();
     verb->add_option("--frame", a->frame)->check(CLI::IsMember({"enu", "grid"}));
-    verb->add_option("--out", a->out, "PLY file");
+    verb->add_option("--out", a->out, "write the mesh to this PLY file");
     verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { mesh_verb(*a); });
 }
 
 void add_visibility_verb(CLI::App& app) {
     const auto a = std::make_shared<VisibilityArguments>();
-    CLI::App* verb =
-        app.add_subcommand("visibility", "sky view and shadows of every post of a raster");
-    verb->add_option("DEM", a->dem, "elevation raster, or several tiles of one lattice")
-        ->required();
-    whole_within(verb->add_option("--azimuths", a->azimuths, "of the horizon (32)"), 4, 4096);
-    within(verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg, "clockwise from north"),
+    CLI::App* verb = app.add_subcommand(
+        "visibility", "sky view factor and sun visibility at every post of a raster");
+    verb->add_option("DEM", a->dem, "elevation raster, or several tiles of one grid")->required();
+    whole_within(verb->add_option("--azimuths", a->azimuths,
+                                  "azimuths at which the horizon is computed (default: 32)"),
+                 4, 4096);
+    within(verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg,
+                            "azimuth of the sun, clockwise from north"),
            {-360.0, 360.0});
-    within(verb->add_option("--sun-elevation-deg", a->sun_elevation_deg, "above the horizon"),
+    within(verb->add_option("--sun-elevation-deg", a->sun_elevation_deg,
+                            "elevation of the sun above the horizon"),
            {-90.0, 90.0});
-    verb->add_option("--out", a->out, "GeoTIFF in the raster's place");
+    verb->add_option("--out", a->out, "GeoTIFF of results on the raster's grid");
     verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { visibility_verb(*a); });
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
 #include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
@@ -37,13 +38,14 @@ void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle s
                                .max_memory = run.job.max_memory,
                                .progress = style};
     const SweepReport report = run_sweep(sweep, options);
-    fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_reported(sweep),
-               report.rendered, report.kept, report.solved, options.out.string());
+    fmt::print("{}: {} rendered, {} reused, {} computed: {}\n", count_reported(sweep),
+               number_of(report.rendered, "variant"), report.kept,
+               number_of(report.solved, "heat balance"), options.out.string());
     print_notes(report.notes);
     if (report.missing > 0) {
         fmt::print(stderr,
-                   "note: {} variants are not there yet: whichever shard ends last writes "
-                   "annotations.json and manifest.json of all\n",
+                   "note: {} variants are not complete yet; the last shard to finish writes "
+                   "annotations.json and manifest.json for all variants\n",
                    report.missing);
     }
     if (!report.not_converged.empty()) {
@@ -61,7 +63,7 @@ Scene only_variant(const Sweep& sweep, const std::string& name, JobOptions& job)
             return scene_of(sweep, variant);
         }
     }
-    throw InputError("--only", fmt::format("no variant '{}', expected {} to {}, or base", name,
+    throw InputError("--only", fmt::format("unknown variant '{}', expected {} to {}, or base", name,
                                            names.front(), names.back()));
 }
 
@@ -69,13 +71,14 @@ void run_one(Scene scene, const JobOptions& job) {
     const JobReport report = run_job(std::move(scene), job);
     double seconds = 0.0;
     for (const auto& stage : report.stages) seconds += stage.seconds;
-    fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
-               report.frames_rendered, report.files.size(), seconds,
-               (job.out / "report.html").string());
-    print_warnings(report.warnings);
-    print_notes(report.notes);
+    fmt::print("{}, {} rendered, {}, {:.1f} s: {}\n", number_of(report.plan.facets, "facet"),
+               number_of(report.frames_rendered, "frame"), number_of(report.files.size(), "file"),
+               seconds, (job.out / "report.html").string());
+    // Files of the folder, then approximations and their size, then what to check.
     print_notes(report.remade);
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
+    print_notes(report.notes);
+    print_warnings(report.warnings);
     // Results that have not converged are kept, but the program fails.
     if (!report.not_converged.empty()) throw std::runtime_error(report.not_converged);
 }
@@ -107,7 +110,7 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     job.pictures.only = *run.only;
     if (scene.sweep.axes.empty()) {
         if (!variant.empty()) {
-            throw InputError("--only", fmt::format("found '{}' where the scene has no [sweep], "
+            throw InputError("--only", fmt::format("found '{}', but the scene has no [sweep]; "
                                                    "expected observer=, band= or frames=",
                                                    variant));
         }
@@ -116,12 +119,15 @@ void run_verb(const SceneArguments& a, RunArguments run) {
         if (variant.empty()) {
             if (job.pictures.shard.number == 0 || !job.from.empty()) {
                 throw InputError(job.from.empty() ? "--shard" : "--from",
-                                 "found where the scene has a [sweep]",
+                                 "not available for a scene with [sweep]",
                                  "its variants share temperatures in one folder");
             }
             if (!run.only->empty()) {
-                throw InputError("--only", fmt::format("found '{}' of a sweep", run.only->front()),
-                                 "name a variant, too: --only v0");
+                throw InputError(
+                    "--only",
+                    fmt::format("found '{}' without a variant, but the scene has a [sweep]",
+                                run.only->front()),
+                    "name a variant as well: --only v0");
             }
             run_sweep_verb(sweep, run, a.style());
             return;
@@ -143,8 +149,8 @@ void merge_verb(const SceneArguments& a, JobOptions job) {
     Scene scene = a.read();
     set_job(a, job);
     if (!scene.sweep.axes.empty()) {
-        throw InputError("merge", "the scene has a [sweep], whose shards share one folder",
-                         "the shard that ends last writes what is of all");
+        throw InputError("merge", "the scene has a [sweep]; its shards write to one folder",
+                         "no merge is needed: the last shard to finish writes the common files");
     }
     run_one(std::move(scene), job);
 }
@@ -152,43 +158,46 @@ void merge_verb(const SceneArguments& a, JobOptions job) {
 }  // namespace
 
 void add_run_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("run", "the whole job: temperatures, frames, report");
+    CLI::App* verb =
+        app.add_subcommand("run", "compute everything: temperatures, pictures, labels, report");
     const auto a = solving_arguments(*verb);
     const auto run = std::make_shared<RunArguments>();
     verb->add_option("--out", run->job.out, "folder for the results (default: out)");
-    verb->add_flag("--resume", run->job.resume, "keep what an earlier run of the same inputs left");
+    verb->add_flag("--resume", run->job.resume,
+                   "reuse the results of an earlier run with the same inputs");
     verb->add_option("--shard", run->shard,
-                     "I/N: this part of the pictures, or of a sweep's variants; 0/N: of the "
-                     "pictures none, temperatures alone");
+                     "I/N: compute part I of N of the pictures (or of a sweep's variants); 0/N: "
+                     "temperatures only");
     verb->add_option("--from", run->job.from,
-                     "folder of a run of the same inputs: what it has left is taken");
+                     "reuse the results in this folder, made by a run with the same inputs");
     add_choice(*verb, run->only,
-               "; of a sweep a variant's name makes a run of it by itself, base of the scene as it "
-               "stands");
+               "; in a sweep: the name of a variant, or base for the scene without its sweep");
     verb->callback([a, run] { run_verb(*a, *run); });
 }
 
 void add_render_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand(
-        "render", "what run does with temperatures that are there: frames, labels, report");
+        "render", "pictures, labels and report from the temperatures of an earlier solve or run");
     const auto a = solving_arguments(*verb);
     const auto job = std::make_shared<JobOptions>();
     const auto only = std::make_shared<std::vector<std::string>>();
-    verb->add_option("--temperatures", job->temperatures, "netCDF file of `solve` or `run`")
+    verb->add_option("--temperatures", job->temperatures,
+                     "netCDF file of temperatures, written by solve or run")
         ->required();
     verb->add_option("--out", job->out, "folder for the results (default: out)");
-    verb->add_flag("--resume", job->resume, "keep what an earlier render of the same has left");
+    verb->add_flag("--resume", job->resume,
+                   "reuse the results of an earlier render with the same inputs");
     add_choice(*verb, only);
     verb->callback([=] { render_verb(*a, *job, *only); });
 }
 
 void add_merge_verb(CLI::App& app) {
     CLI::App* verb =
-        app.add_subcommand("merge", "one run's folder of those of its shards, checked and joined");
+        app.add_subcommand("merge", "join the folders of a run's shards, after checking them");
     const auto a = solving_arguments(*verb);
     const auto job = std::make_shared<JobOptions>();
-    verb->add_option("FOLDERS", job->parts, "of run --shard")->required();
-    verb->add_option("--out", job->out, "folder for the whole")->required();
+    verb->add_option("FOLDERS", job->parts, "folders written by run --shard")->required();
+    verb->add_option("--out", job->out, "folder for the joined results")->required();
     verb->callback([a, job] { merge_verb(*a, *job); });
 }
 

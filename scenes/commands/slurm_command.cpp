@@ -41,16 +41,16 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     if (!job.sweep) things = prepared.plan.pictures;
     if (job.shards > things) {
         throw InputError("--shards",
-                         fmt::format("found {}, expected {} at most: there are no more {}",
-                                     job.shards, things, job.sweep ? "variants" : "pictures"));
+                         fmt::format("found {}, expected at most {}, the number of {}", job.shards,
+                                     things, job.sweep ? "variants" : "pictures"));
     }
     job.program = fs::read_symlink("/proc/self/exe");
     job.scene = fs::absolute(a.scene).lexically_normal();
     job.out = fs::absolute(s.out).lexically_normal();
     job.work = fs::absolute(s.scripts).lexically_normal();
     if (fs::exists(job.work) && !fs::is_empty(job.work)) {
-        throw InputError("--scripts", job.work.string() + " is there and not empty",
-                         "expected a new folder, for scripts, logs and shards");
+        throw InputError("--scripts", job.work.string() + " exists and is not empty",
+                         "expected a new folder for scripts, logs and shards");
     }
     job.name = prepared.scene.name;
     job.settings = a.settings;
@@ -60,7 +60,7 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     fs::create_directories(job.work);
     for (const auto& [name, text] : scripts) write_whole_file(job.work / name, text);
     fs::permissions(job.work / "submit.sh", fs::perms::owner_exec, fs::perm_options::add);
-    fmt::print("{} {} in {} shards of {} processors and {:.1f} GB: {}\n", things,
+    fmt::print("{} {} in {} shards of {} processors and {:.1f} GB each: {}\n", things,
                job.sweep ? "variants" : "pictures", job.shards, job.cpus, 1e-9 * job.memory,
                (job.work / "submit.sh").string());
 }
@@ -68,20 +68,24 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
 }  // namespace
 
 void add_slurm_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("slurm", "scripts by which a cluster's nodes share a run");
+    CLI::App* verb = app.add_subcommand(
+        "slurm", "write Slurm scripts that split a run between the nodes of a cluster");
     const auto a = scene_arguments(*verb);
     const auto s = std::make_shared<SlurmArguments>();
-    verb->add_option("--out", s->out, "folder for the results, which all nodes see")->required();
-    verb->add_option("--scripts", s->scripts, "new folder for scripts, logs and shards, likewise")
+    verb->add_option("--out", s->out,
+                     "folder for the results, on a file system that all nodes share")
         ->required();
-    whole_within(
-        verb->add_option("--shards", s->job.shards, "tasks that share the pictures or variants"), 1,
-        100000)
+    verb->add_option("--scripts", s->scripts,
+                     "new folder for scripts, logs and shards, on a shared file system")
         ->required();
-    whole_within(verb->add_option("--cpus", s->job.cpus, "processors of a task (default: 4)"), 1,
+    whole_within(verb->add_option("--shards", s->job.shards,
+                                  "number of tasks that share the pictures or variants"),
+                 1, 100000)
+        ->required();
+    whole_within(verb->add_option("--cpus", s->job.cpus, "processors per task (default: 4)"), 1,
                  1024);
     verb->add_option("--sbatch", s->job.directives,
-                     "one more directive of every job: --sbatch=--partition=long");
+                     "an additional directive of every job: --sbatch=--partition=long");
     verb->callback([a, s] { slurm_verb(*a, *s); });
 }
 

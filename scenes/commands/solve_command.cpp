@@ -61,10 +61,10 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
 }  // namespace
 
 void add_solve_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("solve", "temperatures alone");
+    CLI::App* verb = app.add_subcommand("solve", "temperatures only, without pictures");
     const auto a = solving_arguments(*verb);
     const auto out = std::make_shared<std::filesystem::path>();
-    verb->add_option("--out", *out, "netCDF file")->required();
+    verb->add_option("--out", *out, "netCDF file for the temperatures")->required();
     verb->callback([a, out] { solve_verb(*a, *out); });
 }
 

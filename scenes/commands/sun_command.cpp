@@ -39,16 +39,19 @@ void sun_verb(const SunArguments& arguments) {
 void add_sun_verb(CLI::App& app) {
     const auto a = std::make_shared<SunArguments>();
     CLI::App* verb = app.add_subcommand("sun", "azimuth, elevation and distance of the sun");
-    within(verb->add_option("--latitude-deg", a->latitude_deg, "north positive"), {-90.0, 90.0})
+    within(verb->add_option("--latitude-deg", a->latitude_deg, "latitude, positive north"),
+           {-90.0, 90.0})
         ->required();
-    within(verb->add_option("--longitude-deg", a->longitude_deg, "east positive"), {-360.0, 360.0})
+    within(verb->add_option("--longitude-deg", a->longitude_deg, "longitude, positive east"),
+           {-360.0, 360.0})
         ->required();
-    within(verb->add_option("--height-m", a->height_m, "above the ellipsoid (0)"), {-1e4, 1e5},
-           "m");
-    verb->add_option("--time", a->time, "ISO 8601 with offset")->required();
-    within(verb->add_option("--pressure-hPa", a->pressure_hPa, "of the air; adds refraction"),
+    within(verb->add_option("--height-m", a->height_m, "height above the ellipsoid (default: 0)"),
+           {-1e4, 1e5}, "m");
+    verb->add_option("--time", a->time, "instant, ISO 8601 with UTC offset")->required();
+    within(verb->add_option("--pressure-hPa", a->pressure_hPa, "air pressure; adds refraction"),
            {0.0, 1200.0}, "hPa");
-    within(verb->add_option("--temperature-C", a->temperature_C, "of the air, for refraction (15)"),
+    within(verb->add_option("--temperature-C", a->temperature_C,
+                            "air temperature, for refraction (default: 15)"),
            {-100.0, 80.0}, "degC");
     verb->callback([a] { sun_verb(*a); });
 }

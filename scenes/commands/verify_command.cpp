@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "materials/base/number_of.hpp"
 #include "scenes/run/listed_outputs.hpp"
 
 namespace diurna {
@@ -14,16 +15,17 @@ namespace diurna {
 void add_verify_verb(CLI::App& app) {
     const auto folder = std::make_shared<std::filesystem::path>();
     CLI::App* verb =
-        app.add_subcommand("verify", "whether a run's folder is what the run has left");
-    verb->add_option("DIR", *folder, "of a run or a sweep")->required();
+        app.add_subcommand("verify", "check that a run's folder holds exactly what the run wrote");
+    verb->add_option("DIR", *folder, "folder of a run or a sweep")->required();
     verb->callback([folder] {
         const std::vector<std::string> lines = verify(*folder);
         for (const std::string& line : lines) fmt::print("{}\n", line);
         if (!lines.empty()) {
-            throw std::runtime_error(fmt::format("{}: {} amiss", folder->string(), lines.size()));
+            throw std::runtime_error(fmt::format("{}: {} missing or changed", folder->string(),
+                                                 number_of(lines.size(), "file")));
         }
-        fmt::print("{}: {} files, all as written\n", folder->string(),
-                   listed_outputs(*folder).digest.size());
+        fmt::print("{}: {}, unchanged since the run\n", folder->string(),
+                   number_of(listed_outputs(*folder).digest.size(), "file"));
     });
 }
 

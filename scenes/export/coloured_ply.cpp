@@ -28,7 +28,7 @@ ColourScale write_coloured_ply(const std::filesystem::path& file, const RunHeat&
                .temperature = at.kelvin,
                .comments = {fmt::format("{} {}", made_by(), format_instant(at.when)), made_with(),
                             fmt::format("x, y, z: east, north, up [m] from {:.9f}, {:.9f} (WGS84), "
-                                        "{:.3f} m, heights as the scene's",
+                                        "{:.3f} m; heights as in the scene",
                                         site.latitude_deg, site.longitude_deg, site.height),
                             fmt::format("colours: {:g} to {:g} degC", scale.low, scale.high)}});
     return scale;

@@ -111,7 +111,7 @@ std::size_t ground_objects(const Scene& scene, const RunHeat& heat) {
                       std::equal(names.begin(), names.end(), written.begin(), is_written_as);
     if (!same) {
         throw InputError(heat.file.string(),
-                         fmt::format("is of another scene than {}: its ground is {}",
+                         fmt::format("belongs to another scene than {}: the ground is {}",
                                      scene.file.string(), fmt::join(written, ", ")));
     }
     return names.size();
@@ -125,8 +125,9 @@ std::size_t write_heat_geotiff(const std::filesystem::path& file, const RunHeat&
     check_output_file(file, opened.files());
     const PostFacets posts = facets_of_posts(dem, heat.mesh, ground);
     if (posts.facet.empty()) {
-        throw InputError(heat.file.string(),
-                         fmt::format("has no ground on {}: is it of that scene?", dem.source));
+        throw InputError(
+            heat.file.string(),
+            fmt::format("has no ground on {}: check that it belongs to that scene", dem.source));
     }
     std::vector<std::vector<float>> values;
     std::vector<RasterBand> bands;

@@ -38,10 +38,10 @@ Found inspect_netcdf(const fs::path& file, const InspectOptions& options) {
     const std::string title = netcdf_title(file);
     if (title == temperatures_title) return inspect_temperatures(file);
     if (title.starts_with("diurna")) {
-        return {.kind = "state of heat",
+        return {.kind = "thermal state",
                 .fact = {{"title", {title}}},
                 .table = {},
-                .next = "name it as state in [time] of a scene of the same mesh that starts there"};
+                .next = "use it as state in [time] of a scene with the same mesh and this start"};
     }
     try {
         return inspect_weather(file);
@@ -84,9 +84,9 @@ Found inspect_other(const fs::path& file) {
             if (name.find(part) != std::string::npos) throw;
         }
     }
-    throw InputError(file.string(), "is of no kind that is known here",
-                     "elevation, weather, soundings, tape7, spectra, shapes, meshes, OpenEXR, "
-                     "temperatures.nc, TOML, manifests, labels");
+    throw InputError(file.string(), "has an unknown format",
+                     "known: elevation, weather, soundings, tape7, spectra, shapes, meshes, "
+                     "OpenEXR, temperatures.nc, TOML, manifests, labels");
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Found inspect(const fs::path& file, const InspectOptions& options) {
         if (fs::is_regular_file(file / "manifest.json")) {
             return inspect_json(file / "manifest.json");
         }
-        throw InputError(file.string(), "is a folder without manifest.json: of no run");
+        throw InputError(file.string(), "is a folder without manifest.json, so not a run's folder");
     }
     const std::string head = head_of(file), ends = small_letters(file.extension().string());
     if (head.empty()) throw InputError(file.string(), "is empty");

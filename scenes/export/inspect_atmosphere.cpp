@@ -51,7 +51,7 @@ Found inspect_tape7(const std::filesystem::path& file) {
                              fmt::format("{}", fmt::join(run.table.name, " "))});
     }
     found.table.push_back(std::move(paths));
-    found.next = "name it as table in [atmosphere] of a scene, if it has runs of thermal radiance";
+    found.next = "use it as table in [atmosphere] of a scene, if it has runs of thermal radiance";
     return found;
 }
 
@@ -63,9 +63,8 @@ Found inspect_igra(const std::filesystem::path& file) {
                   {"soundings", {static_cast<long long>(times.size())}},
                   {"first", {times.front()}},
                   {"last", {times.back()}}};
-    found.next =
-        fmt::format("name it as sounding in [atmosphere] of a scene, with sounding_time = \"{}\"",
-                    times.back());
+    found.next = fmt::format(
+        "use it as sounding in [atmosphere] of a scene, with sounding_time = \"{}\"", times.back());
     return found;
 }
 
@@ -88,7 +87,7 @@ Found inspect_sounding(const std::filesystem::path& file) {
         found.fact.push_back({"notes", {sonde.notes.begin(), sonde.notes.end()}});
     }
     found.next = fmt::format(
-        "name it as sounding in [atmosphere] of a scene, or diurna path --profile {} ...",
+        "use it as sounding in [atmosphere] of a scene, or diurna path --profile {} ...",
         file.string());
     return found;
 }

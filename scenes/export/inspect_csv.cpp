@@ -31,13 +31,13 @@ struct TableKind {
 };
 
 const TableKind* kind_of_header(const CsvTable& table) {
-    static constexpr TableKind brdf{"reflection by angles",
-                                    "name it as file of a material's finish of kind measured"},
-        refraction{"refractive index", "name it as file of a material's finish"},
-        response{"spectrum", "a response: name it in [[bands]] of a scene"},
-        spectrum{"spectrum", "name it as spectrum of a material of a scene"},
-        way{"trajectory", "name it as file of a [[trajectory]] of a scene"},
-        places{"places", "name it as copies_file of an [[object]] of a scene"};
+    static constexpr TableKind brdf{"reflectance by angles",
+                                    "use it as file of a material's finish of kind measured"},
+        refraction{"refractive index", "use it as file of a material's finish"},
+        response{"spectrum", "use it as response in [[bands]] of a scene"},
+        spectrum{"spectrum", "use it as spectrum of a material of a scene"},
+        way{"trajectory", "use it as file of a [[trajectory]] of a scene"},
+        places{"places", "use it as copies_file of an [[object]] of a scene"};
     if (has_all(table, {"light_deg", "eye_deg", "brdf_sr"})) return &brdf;
     if (has_all(table, {"wavelength_um", "n", "k"})) return &refraction;
     if (has_any(table, {"wavelength_um", "wavelength_nm"})) {
@@ -79,11 +79,11 @@ FoundTable facts_of_columns(const CsvTable& table) {
 
 Found inspect_brdf(const std::filesystem::path& file) {
     const MeasuredBrdf brdf = read_brdf(file);
-    Found found{.kind = "reflection by angles"};
+    Found found{.kind = "reflectance by angles"};
     found.fact = {{"values", {static_cast<long long>(brdf.value.size())}},
                   {"least_per_sr", {*std::min_element(brdf.value.begin(), brdf.value.end())}},
                   {"most_per_sr", {*std::max_element(brdf.value.begin(), brdf.value.end())}}};
-    found.next = "name it as file of a material's finish of kind measured";
+    found.next = "use it as file of a material's finish of kind measured";
     return found;
 }
 
@@ -105,15 +105,14 @@ Found inspect_csv(const std::filesystem::path& file) {
         Found found{.kind = "curves"};
         found.fact = {{"rows", {static_cast<long long>(table.rows.size())}}};
         found.table.push_back(facts_of_columns(table));
-        found.next = "name it as measured in [calibrate] of a column file, with column and unit";
+        found.next = "use it as measured in [calibrate] of a column file, with column and unit";
         return found;
     }
-    throw InputError(
-        file.string(),
-        fmt::format("is a table of {}: none of these is a column of weather, soundings, spectra, "
-                    "trajectories or places",
-                    fmt::format("{}", fmt::join(table.header, ", "))),
-        "a scene declares the columns of another's weather in [weather.columns]");
+    throw InputError(file.string(),
+                     fmt::format("is a table of {}: no column has a known name of weather, "
+                                 "soundings, spectra, trajectories or places",
+                                 fmt::format("{}", fmt::join(table.header, ", "))),
+                     "declare its columns in [weather.columns] of a scene");
 }
 
 }  // namespace diurna

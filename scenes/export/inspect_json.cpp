@@ -57,7 +57,7 @@ Found annotations(const Json& json) {
         classes.row.push_back({one["id"].get<long long>(), json_text(one, "name")});
     }
     found.table.push_back(std::move(classes));
-    found.next = "file names are from its own folder; any reader of COCO takes it";
+    found.next = "file names are relative to its own folder; readers of COCO accept it";
     return found;
 }
 
@@ -65,7 +65,7 @@ Found annotations(const Json& json) {
 
 Found inspect_json(const std::filesystem::path& file) {
     const Json json = Json::parse(read_text(file, std::size_t{1} << 30), nullptr, false);
-    if (json.is_discarded()) throw InputError(file.string(), "is no JSON");
+    if (json.is_discarded()) throw InputError(file.string(), "is not valid JSON");
     if (json.is_object() && json_text(json, "program").starts_with("diurna")) {
         return manifest(json, file);
     }
@@ -74,14 +74,13 @@ Found inspect_json(const std::filesystem::path& file) {
         return annotations(json);
     }
     if (json.is_object() && json_text(json, "type") == "FeatureCollection") {
-        return {.kind = "shapes (GeoJSON)",
-                .fact = {{"features", {size_of(json, "features")}}},
-                .table = {},
-                .next =
-                    "name it as file of shapes of a scene's terrain; diurna keys tells the "
-                    "keys"};
+        return {
+            .kind = "shapes (GeoJSON)",
+            .fact = {{"features", {size_of(json, "features")}}},
+            .table = {},
+            .next = "use it as file of shapes of a scene's terrain; diurna keys lists the keys"};
     }
-    throw InputError(file.string(), "is JSON, but no manifest, no COCO labels and no GeoJSON");
+    throw InputError(file.string(), "is JSON, but not a manifest, COCO labels or GeoJSON");
 }
 
 }  // namespace diurna

@@ -45,7 +45,7 @@ Found inspect_label_lines(const std::filesystem::path& file) {
         return Found{.kind = kind, .fact = {{what, {lines}}}, .table = {}, .next = next};
     };
     if (lines > 0 && yolo == lines) {
-        return of("labels (YOLO)", "boxes", "data.yaml in the folder above names the classes");
+        return of("labels (YOLO)", "boxes", "data.yaml in the parent folder names the classes");
     }
     if (lines > 0 && kitti == lines) {
         return of("labels (KITTI)", "objects", "calib/ beside it has the camera of the same name");
@@ -54,7 +54,7 @@ Found inspect_label_lines(const std::filesystem::path& file) {
         return of("list of pictures", "pictures", "data.yaml beside it names the lists");
     }
     throw InputError(file.string(),
-                     "is text, but no boxes of YOLO or KITTI and no list of pictures");
+                     "is text, but not boxes of YOLO or KITTI and not a list of pictures");
 }
 
 }  // namespace diurna

@@ -59,24 +59,24 @@ Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& opti
     const std::string kind = small_letters(file.extension().string());
     const bool metres = kind == ".gltf" || kind == ".glb";
     Found found{.kind = "mesh"};
-    found.fact = {{"facets", {static_cast<long long>(mesh.triangle.size())}},
-                  {"vertices", {static_cast<long long>(mesh.vertex.size())}},
-                  {"parts", {static_cast<long long>(parts.size())}},
-                  {"unit",
-                   {std::string(metres ? "m (glTF's)"
-                                       : "the file does not say; a scene's object "
-                                         "gives it by its key unit")}},
-                  {"low", {low.x(), low.y(), low.z()}},
-                  {"high", {high.x(), high.y(), high.z()}},
-                  {"size", {high.x() - low.x(), high.y() - low.y(), high.z() - low.z()}},
-                  {"materials", {materials.begin(), materials.end()}}};
+    found.fact = {
+        {"facets", {static_cast<long long>(mesh.triangle.size())}},
+        {"vertices", {static_cast<long long>(mesh.vertex.size())}},
+        {"parts", {static_cast<long long>(parts.size())}},
+        {"unit",
+         {std::string(metres ? "m (as in glTF)"
+                             : "not in the file; set the key unit of the scene's object")}},
+        {"low", {low.x(), low.y(), low.z()}},
+        {"high", {high.x(), high.y(), high.z()}},
+        {"size", {high.x() - low.x(), high.y() - low.y(), high.z() - low.z()}},
+        {"materials", {materials.begin(), materials.end()}}};
     add_pieces(mesh, found);
     FoundTable table{"groups", {"group", "facets", "materials"}, {}};
     for (const auto& [name, part] : parts) {
         table.row.push_back({name, part.facets, fmt::format("{}", fmt::join(part.materials, " "))});
     }
     found.table.push_back(std::move(table));
-    found.next = "name it as file of an [[object]] of a scene; diurna keys tells the keys";
+    found.next = "use it as file of an [[object]] of a scene; diurna keys lists the keys";
     return found;
 }
 

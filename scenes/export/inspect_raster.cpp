@@ -82,7 +82,7 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
             const std::string& problem = error.mistakes().front().problem;
             const bool heights = !facts.band.empty() && height_unit(facts.band.front().unit);
             found.fact.push_back({heights ? "warnings" : "not_elevation_because",
-                                  {heights ? "not read as elevation: " + problem : problem}});
+                                  {heights ? "not readable as elevation: " + problem : problem}});
         }
     }
     return found;

@@ -34,8 +34,8 @@ Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& op
         found.table.push_back(std::move(table));
     }
     found.next = layers.size() > 1
-                     ? "name it as file of [[shapes]] of a scene, and one of its layers as layer"
-                     : "name it as file of [[shapes]] of a scene";
+                     ? "use it as file of [[shapes]] of a scene, with one of its layers as layer"
+                     : "use it as file of [[shapes]] of a scene";
     return found;
 }
 

@@ -20,11 +20,11 @@ Found inspect_toml(const std::filesystem::path& file) {
         return of("column", fmt::format("diurna column {} --out FILE.csv", name));
     }
     if (root.has("part")) {
-        return of("parts of a target", "name it as part_file of an [[object]] of a scene");
+        return of("parts of a target", "use it as part_file of an [[object]] of a scene");
     }
-    throw InputError(name,
-                     "is TOML, but no scene (no [terrain]), column (no [facet]) or target "
-                     "(no [[part]])");
+    throw InputError(
+        name,
+        "is TOML, but not a scene (no [terrain]), column (no [facet]) or target (no [[part]])");
 }
 
 }  // namespace diurna

@@ -41,7 +41,7 @@ Overlay overlay_of(const Dem& dem, const PostFacets& posts) {
         place.emplace_back(double(p % across), double(p / across));
         height.push_back(0.0f);
     }
-    if (place.empty()) throw InputError(dem.source, "has no ground of the run");
+    if (place.empty()) throw InputError(dem.source, "has no ground facets");
     Eigen::Vector2d low = place.front(), high = low;
     for (const Eigen::Vector2d& at : place) {
         low = low.cwiseMin(at);
@@ -57,7 +57,7 @@ Overlay overlay_of(const Dem& dem, const PostFacets& posts) {
         overlay.east = std::max(overlay.east, at.longitude_deg);
     }
     if (overlay.east - overlay.west > 180.0) {
-        throw InputError(dem.source, "lies across the date line, which no overlay can");
+        throw InputError(dem.source, "crosses the date line, which KML overlays cannot");
     }
     const double dx = (overlay.east - overlay.west) / (overlay.columns - 1);
     const double dy = (overlay.north - overlay.south) / (overlay.rows - 1);

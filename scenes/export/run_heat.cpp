@@ -37,11 +37,11 @@ RunHeat load_run_heat(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder)) throw InputError(folder.string(), "no such folder");
     const std::filesystem::path file = folder / "temperatures.nc";
     if (!std::filesystem::is_regular_file(file)) {
-        throw InputError(folder.string(), "has no temperatures.nc: expected a run's folder");
+        throw InputError(folder.string(), "has no temperatures.nc, expected the folder of a run");
     }
     RunHeat heat{file, load_temperature_field(file), load_temperature_mesh(file)};
     if (heat.field.facets != heat.mesh.facets.size()) {
-        throw InputError(file.string(), "has not as many temperatures as facets");
+        throw InputError(file.string(), "has different numbers of temperatures and facets");
     }
     return heat;
 }
@@ -55,7 +55,7 @@ std::vector<Instant> asked_instants(const RunHeat& heat, std::span<const std::st
         const Instant when = parse_instant(text, "--at");
         if (when < kept.front() || when > kept.back()) {
             throw InputError(
-                "--at", fmt::format("found {}, but {} holds {} to {}", text, heat.file.string(),
+                "--at", fmt::format("found {}, but {} has {} to {}", text, heat.file.string(),
                                     format_instant(kept.front()), format_instant(kept.back())));
         }
         all.push_back(when);
@@ -86,7 +86,7 @@ std::vector<NamedGroup> all_groups(const TemperatureMesh& mesh) {
 
 std::vector<NamedGroup> named_groups(const RunHeat& heat, std::span<const std::string> asked) {
     std::vector<NamedGroup> all = all_groups(heat.mesh);
-    if (all.empty()) throw InputError(heat.file.string(), "names no materials and no objects");
+    if (all.empty()) throw InputError(heat.file.string(), "has no names of materials and objects");
     if (asked.empty()) return all;
     std::vector<std::string> known;
     for (const NamedGroup& one : all) known.push_back(one.kind + ":" + one.group.name);

@@ -75,8 +75,7 @@ std::string vtu_text(const RunHeat& heat, const HeatAt& at) {
     std::string text = xml_head;
     text += fmt::format(
         "<!-- {}, with {}\n     {}; x, y, z are east, north, up [m] from {:.9f}, {:.9f} (WGS84), "
-        "{:.3f} m, "
-        "heights as the scene's\n     materials: {}\n     objects: {} -->\n",
+        "{:.3f} m; heights as in the scene\n     materials: {}\n     objects: {} -->\n",
         made_by(), made_with(), format_instant(at.when), site.latitude_deg, site.longitude_deg,
         site.height, listed(heat.mesh.materials), listed(heat.mesh.objects));
     text +=
@@ -117,7 +116,7 @@ std::string pvd_text(std::span<const Instant> instants, std::span<const std::str
 std::size_t write_vtu_day(const std::filesystem::path& pvd, const RunHeat& heat,
                           std::span<const Instant> instants, const std::vector<FileRead>& inputs) {
     if (pvd.extension() != ".pvd") {
-        throw InputError(pvd.string(), "expected FILE.pvd; the .vtu files come to stand beside it");
+        throw InputError(pvd.string(), "expected FILE.pvd; the .vtu files are written beside it");
     }
     std::vector<std::string> names;
     check_output_file(pvd, inputs);

@@ -34,7 +34,8 @@ std::string zip_archive(const std::vector<ZipEntry>& entries) {
     for (const ZipEntry& entry : entries)
         whole += entry.content.size() + 2 * entry.name.size() + 76;
     if (whole > 0xFFFFFFFFu || entries.size() > 0xFFFFu) {
-        throw std::runtime_error("a ZIP archive of over 4 GB or 65535 files is not written");
+        throw std::runtime_error(
+            "a ZIP archive over 4 GB or with more than 65535 files is not supported");
     }
     std::string out, directory;
     for (const ZipEntry& entry : entries) {

@@ -53,20 +53,19 @@ std::array<double, 2> read_range(const Section& section, const char* says) {
 }  // namespace
 
 std::vector<BandInput> read_bands(const Section& root) {
-    constexpr const char* flat = "[from, to] of a flat band; or response";
+    constexpr const char* flat = "[from, to] of a band with uniform response; or give response";
     std::vector<BandInput> bands;
     std::set<std::string> taken;
-    for (const Section& section :
-         root.sections("bands", "a band of an instrument of yours, by a name of its own")) {
-        BandInput band{.name = read_name(section, "by which an observer names it", taken),
+    for (const Section& section : root.sections("bands", "a user-defined band of an instrument")) {
+        BandInput band{.name = read_name(section, "name by which observers select it", taken),
                        .file = {},
                        .response = {}};
         if (section.has("response") == section.has("range_um")) {
-            section.mistake("", "expected either response, a CSV file, or range_um = [from, to]");
+            section.mistake("", "expected either response (a CSV file) or range_um = [from, to]");
             if (section.has("range_um")) section.numbers("range_um", flat, 2);
         }
         if (section.has("response")) {
-            band.file = section.file("response", "CSV of wavelength_um and response, 0 to 1");
+            band.file = section.file("response", "CSV file of wavelength_um and response, 0 to 1");
             band.response = flat_spectrum(1.0, 8.0, 12.0);
             try {
                 if (!band.file.empty()) band.response = read_response(band.file);
@@ -86,13 +85,14 @@ std::vector<CubeInput> read_cubes(const Section& root) {
     std::vector<CubeInput> cubes;
     std::set<std::string> taken;
     for (const Section& section : root.sections(
-             "cubes", "a hyperspectral cube: channels side by side, in OpenEXR and ENVI")) {
+             "cubes", "a hyperspectral cube: adjacent channels, written as OpenEXR and ENVI")) {
         CubeInput cube;
-        cube.name = read_name(section, "by which an observer names it", taken);
+        cube.name = read_name(section, "name by which observers select it", taken);
         const auto [from, to] = read_range(section, "[from, to] of all channels together");
         cube.from_um = from;
         cube.to_um = to;
-        cube.channels = section.integer_or("channels", "equally wide", 64, {1, 2000});
+        cube.channels =
+            section.integer_or("channels", "number of channels of equal width", 64, {1, 2000});
         cubes.push_back(std::move(cube));
     }
     return cubes;

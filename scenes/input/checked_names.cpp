@@ -17,19 +17,20 @@ std::string Reading::object(const Section& section, const char* says) {
 void Reading::texture(const Section& section, std::map<std::string, std::string>& uses,
                       const std::string& on) const {
     const std::string texture =
-        section.name_or("texture", "what varies on it from place to place", "", textures);
+        section.name_or("texture", "texture of the surface", "", textures);
     if (section.has("texture")) uses[on] = texture;
 }
 
 std::string class_of(const Section& section, const Or<std::string>& fallback) {
-    const std::string kind =
-        section.text_or("class", "of the object in annotations.json and other labels", fallback);
+    const std::string kind = section.text_or(
+        "class", "class of the object in annotations.json and other labels", fallback);
     const bool broken = kind.find_first_of("\n\r\t\"\\") != std::string::npos;
     if (section.has("class") && (kind.empty() || broken)) {
-        section.mistake("class", "expected a name of one line");
+        section.mistake("class", "expected a name without line breaks");
     }
     const bool labelled = section.flag_or(
-        "labelled", "whether it has labels; false: scenery, which pictures show without one", true);
+        "labelled",
+        "whether the object has labels; false: it is visible in pictures but has no labels", true);
     return labelled ? kind : "";
 }
 

@@ -44,40 +44,42 @@ std::string missed_days(const std::vector<Instant>& passage, Instant midnight, I
         if (to > from) text += " to " + date_of(to, span);
     }
     if (runs.size() > 4) text += ", ...";
-    return fmt::format("on {} of {} days the sun does not get there: {}", missed, days, text);
+    return fmt::format("on {} of {} days the sun does not reach it: {}", missed, days, text);
 }
 
 }  // namespace
 
 Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
-    const Section sun = section.section(
-        "frames_at_sun",
-        "in place of frames and frame_every_s, with [site]: a picture, to the second, whenever the "
-        "sun stands at an azimuth, or at an elevation");
+    const Section sun =
+        section.section("frames_at_sun",
+                        "replaces frames and frame_every_s (needs [site]): one picture, to the "
+                        "second, whenever the sun reaches an azimuth or an elevation");
     const bool by_azimuth = sun.has("azimuth_deg");
     double azimuth = 0.0, elevation = 0.0;
     DayHalf half = DayHalf::both;
     if (by_azimuth) {
-        azimuth = sun.number("azimuth_deg", "of the sun, clockwise from north, while it is up",
-                             {-360.0, 360.0});
+        azimuth =
+            sun.number("azimuth_deg", "azimuth of the sun, clockwise from north, while it is up",
+                       {-360.0, 360.0});
         for (const char* key : {"elevation_deg", "half"}) {
-            if (sun.has(key))
-                sun.mistake(key, "stands beside azimuth_deg, expected one of the two");
+            if (sun.has(key)) sun.mistake(key, "cannot be combined with azimuth_deg");
         }
     } else {
-        elevation = sun.number("elevation_deg",
-                               "of the sun, above the horizon, without refraction; or azimuth_deg",
-                               {-20.0, 90.0});
-        half = sun.choice_or("half", "of the day: before noon, after it, or both", DayHalf::both,
-                             {{"morning", DayHalf::morning},
-                              {"afternoon", DayHalf::afternoon},
-                              {"both", DayHalf::both}});
+        elevation = sun.number(
+            "elevation_deg",
+            "elevation of the sun above the horizon, without refraction; or give azimuth_deg",
+            {-20.0, 90.0});
+        half =
+            sun.choice_or("half", "half of the day: before noon, after it, or both", DayHalf::both,
+                          {{"morning", DayHalf::morning},
+                           {"afternoon", DayHalf::afternoon},
+                           {"both", DayHalf::both}});
     }
     if (sun.has_mistakes()) return {};
     if (!span.site) {
-        section.mistake("frames_at_sun",
-                        "asks where the sun stands, expected [site] with latitude_deg and "
-                        "longitude_deg");
+        section.mistake(
+            "frames_at_sun",
+            "depends on the sun's position, expected [site] with latitude_deg and longitude_deg");
         return {};
     }
     Site site = *span.site;
@@ -97,8 +99,9 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
     frames.note = missed_days(passage, midnight, end, span);
     if (frames.frame.empty()) {
         section.mistake("frames_at_sun",
-                        frames.note.empty() ? "the sun stands there outside " + span.said + " alone"
-                                            : fmt::format("has no picture: {}", frames.note));
+                        frames.note.empty()
+                            ? "the sun reaches this position only outside " + span.said
+                            : fmt::format("has no picture: {}", frames.note));
     }
     return frames;
 }

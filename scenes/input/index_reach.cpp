@@ -30,12 +30,11 @@ void check_index_reach(const Section& section, const Material& material,
     section.section("finish", finish_says)
         .mistake(
             "index_file",
-            fmt::format("band {} needs n and k from {:g} to {:g} um, the file has them from "
-                        "{:g} to {:g}",
+            fmt::format("band {} needs n and k from {:g} to {:g} um, the file has {:g} to {:g} um",
                         worst->name, worst->from_um, needed_to_um, reach->from_um, reach->to_um),
             reach->effective_helps && reach->to_um >= 4.0
-                ? "add rows to it, or take effective_index = true beyond 4 um"
-                : "add rows to it");
+                ? "add rows to the file, or set effective_index = true (beyond 4 um)"
+                : "add rows to the file");
 }
 
 }  // namespace diurna

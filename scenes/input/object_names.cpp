@@ -12,7 +12,7 @@ void add_objects(Names& names, const TerrainInput& terrain) {
         if (object.copy_of.empty()) continue;
         std::erase(names.known, object.copy_of);
         names.instead.try_emplace(
-            object.copy_of, fmt::format("its copies are called \"{}\" and so on", object.name));
+            object.copy_of, fmt::format("its copies are named \"{}\" and so on", object.name));
     }
 }
 

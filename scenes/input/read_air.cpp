@@ -17,9 +17,9 @@ namespace {
 void read_table(const Section& section, AirInput& air) {
     air.table_file =
         section.file("table",
-                     "a MODTRAN 4/5 tape7 in place of the embedded air: IEMSCT 1 or 2, one run a "
-                     "path, from every H1 to every H2 and to space; bands from 3 µm on, no "
-                     "scattered sun, the same at every instant");
+                     "a MODTRAN 4/5 tape7 that replaces the embedded atmosphere: IEMSCT 1 or 2, "
+                     "one run per path, from every H1 to every H2 and to space; for bands above 3 "
+                     "µm, without scattered sunlight, the same at every instant");
     if (air.vacuum) section.mistake("table", "a vacuum has no table of paths");
     if (!std::filesystem::is_regular_file(air.table_file)) return;
     try {
@@ -34,14 +34,14 @@ void read_table(const Section& section, AirInput& air) {
 void read_sounding(const Section& section, AirInput& air) {
     air.sounding_file = section.file(
         "sounding",
-        "a radiosonde's levels in place of the profile, which goes on above them: the list of the "
-        "University of Wyoming, a file of the Integrated Global Radiosonde Archive (IGRA v2), or "
-        "CSV with height, pressure, temperature and humidity as in "
-        "materials/air/radiosonde.hpp; the same at every instant but for what the weather "
-        "makes of its lowest 1.5 km");
+        "a radiosonde ascent that replaces the profile up to its top level: list of the University "
+        "of Wyoming, file of the Integrated Global Radiosonde Archive (IGRA v2), or CSV with "
+        "height, pressure, temperature and humidity as in materials/air/radiosonde.hpp; the same "
+        "at every instant, except that its lowest 1.5 km are adjusted to the weather");
     const std::string time = section.text_or(
-        "sounding_time", "of the sounding in an IGRA file of several, as 2018-07-15T00 (UTC)", "");
-    if (air.vacuum) section.mistake("sounding", "a vacuum has none");
+        "sounding_time",
+        "time of the sounding in an IGRA file with several, such as 2018-07-15T00 (UTC)", "");
+    if (air.vacuum) section.mistake("sounding", "a vacuum has no sounding");
     if (air.vacuum || !std::filesystem::is_regular_file(air.sounding_file)) return;
     try {
         air.sounding =
@@ -57,42 +57,41 @@ AirInput read_air(const Section& section) {
     std::vector<std::string> profiles = afgl_profile_names();
     profiles.push_back("vacuum");
     AirInput air;
-    air.profile = section.word_or(
-        "profile",
-        "AFGL's; along the ground its air is the weather's, and up to 1.5 km above it that fades; "
-        "vacuum: no air",
-        air.profile, profiles);
+    air.profile = section.word_or("profile",
+                                  "AFGL profile; at the ground it is replaced by the weather's "
+                                  "air, with a transition up to 1.5 km; vacuum: no air",
+                                  air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
-    air.aerosol =
-        section.word_or("aerosol", "of the haze near the ground", air.aerosol, aerosol_names());
-    air.visibility_km =
-        section.number_or("visibility_km", "through that haze", air.visibility_km, {0.05, 300.0});
-    air.co2_ppm = section.number_or("co2_ppm", "of carbon dioxide", air.co2_ppm, {0.0, 10000.0});
-    air.cloud_base_km =
-        section.number_or("cloud_base_km", "above the ground, of the weather's cloud",
-                          air.cloud_base_km, {0.05, 15.0});
-    air.cloud_depth_km =
-        section.number_or("cloud_depth_km",
-                          "from the base of that cloud to its top, whose temperature is seen from "
-                          "above it",
-                          air.cloud_depth_km, {0.0, 10.0});
+    air.aerosol = section.word_or("aerosol", "type of the haze near the ground", air.aerosol,
+                                  aerosol_names());
+    air.visibility_km = section.number_or("visibility_km", "visibility in the haze near the ground",
+                                          air.visibility_km, {0.05, 300.0});
+    air.co2_ppm = section.number_or("co2_ppm", "volume mixing ratio of carbon dioxide", air.co2_ppm,
+                                    {0.0, 10000.0});
+    air.cloud_base_km = section.number_or(
+        "cloud_base_km", "height of the cloud base above the ground, for the weather's cloud cover",
+        air.cloud_base_km, {0.05, 15.0});
+    air.cloud_depth_km = section.number_or(
+        "cloud_depth_km",
+        "thickness of the cloud; observers above it see the temperature of its top",
+        air.cloud_depth_km, {0.0, 10.0});
     if (section.has("sounding")) read_sounding(section, air);
     const bool has_fluxes = !air.vacuum && !section.has("table");
     air.drives_heat = section.flag_or(
         "drives_heat",
-        "sunlight and longwave that nobody measured come from this air; false: from the broadband "
-        "formulas of [sky]. Pictures have the same light as the heat balance either way. False by "
-        "itself in a vacuum and with a table, which have no fluxes",
+        "compute sunlight and longwave radiation that were not measured from this atmosphere; "
+        "false: from the broadband formulas of [sky]. Pictures and heat balance use the same "
+        "radiation. The default is false in a vacuum and with a table, which have no fluxes",
         has_fluxes);
     if (air.vacuum && air.drives_heat) {
-        section.mistake("drives_heat",
-                        "a vacuum has neither sky nor air to drive the heat balance");
+        section.mistake("drives_heat", "a vacuum has no sky and no air to drive the heat balance");
     } else if (!has_fluxes && air.drives_heat) {
-        section.mistake("table", "a table has no fluxes for drives_heat = true to take");
+        section.mistake("table", "a table has no fluxes, which drives_heat = true needs");
     }
     if (section.has("table")) read_table(section, air);
     if (section.has("table") && section.has("sounding")) {
-        section.mistake("sounding", "a table of paths is air of its own");
+        section.mistake("sounding",
+                        "cannot be combined with a sounding: a table of paths has its own air");
     }
     return air;
 }
@@ -115,13 +114,13 @@ void check_table_bands(const Section& section, const AirInput& air,
     for (const auto& [name, from_um, to_um] : ranges) {
         if (from_um < least_um) {
             section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "
-                                                 "scattered sun, expected {:g} um or more",
+                                                 "scattered sunlight, expected at least {:g} um",
                                                  name, from_um, least_um));
         } else if (from_um < span.least_um || to_um > span.most_um) {
             section.mistake(
                 "table",
-                fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to {:.4g}", name,
-                            from_um, to_um, span.least_um, span.most_um));
+                fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to {:.4g} um",
+                            name, from_um, to_um, span.least_um, span.most_um));
         }
     }
 }

@@ -19,17 +19,20 @@ Around read_around(const Section& section, const TerrainInput& terrain) {
     add_objects(known, terrain);
     for (const Building& building : terrain.buildings) known.known.push_back(building.name);
     Around around{
-        .object = section.name("object", "or building, whose middle it looks at", known),
-        .range = section.number("range_m", "to that middle", {0.1, 200000.0}),
+        .object = section.name("object", "object or building, at whose centre it looks", known),
+        .range = section.number("range_m", "distance from its centre", {0.1, 200000.0}),
         .aspect_deg = section.number_or("aspect_deg",
-                                        "from where: 0 before its front, 90 on its right-hand side",
+                                        "direction of the observer as seen from the object: 0 in "
+                                        "front of it, 90 on its right-hand side",
                                         0.0, {-360.0, 360.0}),
-        .elevation_deg = section.number_or("elevation_deg", "above its level", 0.0, {-90.0, 90.0}),
+        .elevation_deg =
+            section.number_or("elevation_deg", "elevation of the observer as seen from the object",
+                              0.0, {-90.0, 90.0}),
         .draw_again = section.choice_or(
             "if_hidden",
-            "where relief or other objects hide nine tenths of it: warn, which `check` does; or "
-            "draw_again, another aspect at the same range, by scene.seed, higher up where none is "
-            "free",
+            "action where relief or other objects hide at least 90 % of the object: warn (printed "
+            "by `diurna check`), or draw_again: draw another aspect at the same range by "
+            "scene.seed, and a higher elevation if no aspect is free",
             false, {{"warn", false}, {"draw_again", true}})};
     for (const ObjectInput& object : terrain.objects) {
         if (object.name != around.object) continue;

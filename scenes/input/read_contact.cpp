@@ -13,14 +13,15 @@ namespace diurna {
 ContactInput read_contact(const Section& section, std::span<const std::string> parts) {
     ContactInput contact;
     contact.where = section.where();
-    const std::vector<std::string> between = section.texts_or(
-        "between",
-        "a part whose outer faces lie on another part's, or on \"ground\", which then is one body "
-        "of heat with the object where they lie",
-        {std::vector<std::string>{}, "required"});
-    contact.film = section.number("conductance_W_m2K", "of the area that touches", {0.0, 1e6});
-    contact.gap = section.number_or(
-        "gap_m", "by which facets that touch may be apart, or in one another", 0.02, {0.0, 1.0});
+    const std::vector<std::string> between =
+        section.texts_or("between",
+                         "two names: a part whose outer faces touch another part, or \"ground\", "
+                         "which then joins the object's thermal network below it",
+                         {std::vector<std::string>{}, "required"});
+    contact.film =
+        section.number("conductance_W_m2K", "thermal conductance per area of contact", {0.0, 1e6});
+    contact.gap = section.number_or("gap_m", "largest distance (or overlap) of facets in contact",
+                                    0.02, {0.0, 1.0});
     if (between.size() != 2) {
         section.mistake("between", fmt::format("found {} names, expected two", between.size()));
         return contact;
@@ -37,7 +38,7 @@ ContactInput read_contact(const Section& section, std::span<const std::string> p
             fmt::format("no part '{}' in this object, which has {}", name, fmt::join(known, ", ")),
             did_you_mean(name, known));
     }
-    if (contact.part == contact.on) section.mistake("between", "joins a thing with itself");
+    if (contact.part == contact.on) section.mistake("between", "connects a part with itself");
     return contact;
 }
 

@@ -14,13 +14,14 @@ namespace {
 std::vector<RegionInput> read_targets(const Section& section, const RegionNames& known) {
     std::vector<RegionInput> targets;
     const std::vector<std::string> given = section.texts_or(
-        "targets", "side by side, each as in [[crossover]]: bare, painted, under a net",
+        "targets",
+        "targets to compare, each as in [[crossover]], for example bare, painted and under a net",
         {std::vector<std::string>{}, "none"});
     if (given.empty()) section.mistake("targets", "missing, expected at least one");
     for (const std::string& name : given) {
         if (std::find(known.all.known.begin(), known.all.known.end(), name) ==
             known.all.known.end()) {
-            section.mistake("targets", fmt::format("no {} \"{}\"", known.all.what, name),
+            section.mistake("targets", fmt::format("unknown {} \"{}\"", known.all.what, name),
                             did_you_mean(name, known.all.known));
         } else if (std::any_of(targets.begin(), targets.end(),
                                [&](const RegionInput& other) { return other.name == name; })) {
@@ -35,14 +36,14 @@ std::vector<RegionInput> read_targets(const Section& section, const RegionNames&
 void read_eyes(const Section& section, const std::vector<ObserverInput>& observers,
                ContrastInput& input) {
     const std::vector<std::string> given =
-        section.texts_or("observers", "to whom, at the instants of their pictures",
+        section.texts_or("observers", "observers of the targets, at the instants of their pictures",
                          {std::vector<std::string>{}, "all"});
     std::vector<std::string> known;
     for (const ObserverInput& one : observers) known.push_back(one.name);
     for (const std::string& name : given) {
         const auto at = std::find(known.begin(), known.end(), name);
         if (at == known.end()) {
-            section.mistake("observers", fmt::format("no observer \"{}\"", name),
+            section.mistake("observers", fmt::format("unknown observer \"{}\"", name),
                             did_you_mean(name, known));
         } else {
             input.observers.push_back(static_cast<std::size_t>(at - known.begin()));
@@ -54,9 +55,9 @@ void read_eyes(const Section& section, const std::vector<ObserverInput>& observe
 
 void read_bands(const Section& section, const std::vector<BandInput>& bands,
                 const std::vector<ObserverInput>& observers, ContrastInput& input) {
-    input.bands =
-        read_band_names(section, "ranges beyond 3 µm, words or names of [[bands]]",
-                        {std::vector<std::string>{}, "the first observer's beyond 3 µm"}, bands);
+    input.bands = read_band_names(
+        section, "bands above 3 µm: words or names of [[bands]]",
+        {std::vector<std::string>{}, "the first observer's bands above 3 µm"}, bands);
     const bool given = !input.bands.empty();
     const auto warm = [&](const std::string& name) {
         return named_band(bands, name).from_um() >= heat_begins_um;
@@ -73,15 +74,17 @@ void read_bands(const Section& section, const std::vector<BandInput>& bands,
             if (!input.bands.empty()) break;
         }
         if (input.bands.empty()) {
-            section.mistake("bands", "missing: no observer has one beyond 3 um");
+            section.mistake("bands", "missing: no observer has a band above 3 um");
         }
         return;
     }
     for (const std::string& band : input.bands) {
         try {
             if (warm(band)) continue;
-            section.mistake("bands",
-                            fmt::format("\"{}\" begins below 3 um: contrast is in kelvins", band));
+            section.mistake(
+                "bands",
+                fmt::format("\"{}\" begins below 3 um, but contrast is a temperature difference",
+                            band));
         } catch (const InputError& error) {
             section.mistake("bands", error.mistakes().front().problem,
                             error.mistakes().front().hint);
@@ -98,10 +101,9 @@ std::vector<ContrastInput> read_contrasts(const Section& root, const TerrainInpu
     std::vector<ContrastInput> found;
     std::vector<std::string> names;
     const RegionNames known = region_names(terrain, materials);
-    for (const Section& section : root.sections(
-             "contrast",
-             "how targets, or treatments of one, stand out from what is around them: diurna "
-             "contrast")) {
+    for (const Section& section : root.sections("contrast",
+                                                "contrast of targets, or of treatments of one "
+                                                "target, with their background: diurna contrast")) {
         ContrastInput input;
         input.where = section.where();
         input.targets = read_targets(section, known);
@@ -109,16 +111,15 @@ std::vector<ContrastInput> read_contrasts(const Section& root, const TerrainInpu
         read_bands(section, bands, observers, input);
         input.name = study_name(section, {"contrast", "contrast"}, names);
         input.ring = section.number_or(
-            "ring", "width of the background around a target, times the sides of its box",
+            "ring", "the background box extends this many target widths (heights) beyond each side",
             input.ring, {0.1, 20.0});
-        input.threshold = section.number_or("threshold_K",
-                                            "root-sum-square contrast above which a target counts "
-                                            "as seen",
-                                            input.threshold, {1e-3, 1000.0});
-        input.ranges =
-            section.numbers_or("ranges_m", "to which the worst contrast is taken through the air",
-                               {std::vector<double>{500.0, 1000.0, 2000.0, 5000.0, 10000.0},
-                                "500, 1000, 2000, 5000, 10000"});
+        input.threshold = section.number_or(
+            "threshold_K", "root-sum-square contrast above which a target counts as visible",
+            input.threshold, {1e-3, 1000.0});
+        input.ranges = section.numbers_or(
+            "ranges_m", "ranges at which the worst contrast is also given, with the atmosphere",
+            {std::vector<double>{500.0, 1000.0, 2000.0, 5000.0, 10000.0},
+             "500, 1000, 2000, 5000, 10000"});
         for (const double range : input.ranges) {
             if (range >= 1.0 && range <= 2e5) continue;
             section.mistake("ranges_m", "expected lengths from 1 to 200000");

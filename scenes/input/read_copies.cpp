@@ -47,8 +47,9 @@ void check_columns(const CsvTable& table) {
             did_you_mean(name, known));
     }
     if (table.has("latitude_deg") && (table.has("east_m") || table.has("north_m"))) {
-        throw InputError(table.path.string(),
-                         "has columns 'latitude_deg' and 'east_m' or 'north_m', expected one pair");
+        throw InputError(
+            table.path.string(),
+            "has columns 'latitude_deg' and 'east_m' or 'north_m', expected only one pair");
     }
 }
 
@@ -63,8 +64,8 @@ void check_places(std::vector<Stand> stands) {
                            [](const Stand& a, const Stand& b) { return a.place == b.place; });
     if (twice == stands.end()) return;
     throw InputError(std::next(twice)->where,
-                     fmt::format("two copies stand at east {:g} m, north {:g} m", twice->place.x(),
-                                 twice->place.y()));
+                     fmt::format("two copies have the place east {:g} m, north {:g} m",
+                                 twice->place.x(), twice->place.y()));
 }
 
 /// Where a row's copy stands.
@@ -78,8 +79,8 @@ Eigen::Vector2d place_in(const CsvTable& table, std::size_t row, const Section& 
     const Geodetic at{table.number(row, north), table.number(row, east), 0.0};
     if (!(std::abs(at.latitude_deg) <= 90.0 && std::abs(at.longitude_deg) <= 360.0)) {
         throw InputError(table.where(row, north),
-                         fmt::format("latitude {:g}, longitude {:g} is no place", at.latitude_deg,
-                                     at.longitude_deg));
+                         fmt::format("latitude {:g}, longitude {:g} is not a place",
+                                     at.latitude_deg, at.longitude_deg));
     }
     return places.at(section, "copies_file", at);
 }
@@ -96,7 +97,7 @@ std::vector<Stand> stands_of_file(const std::filesystem::path& file, const Secti
         check_heading(stands.back());
     }
     if (stands.empty()) {
-        throw InputError(file.string(), "has no rows, expected a copy's place in each");
+        throw InputError(file.string(), "has no rows, expected the place of a copy in each row");
     }
     return stands;
 }
@@ -107,18 +108,18 @@ std::vector<Stand> read_stands(const Section& section, const ScenePlaces& places
     if (section.has("copies")) {
         for (const std::vector<double>& row :
              section.rows("copies",
-                          "[east, north, heading] of each of many that are alike, in place of "
-                          "place_m and heading_deg: m, m and degrees clockwise from north; they "
-                          "are called NAME_0001 and so on",
+                          "places of identical objects: [east, north, heading] of each (m, m, "
+                          "degrees clockwise from north), instead of place_m and heading_deg; "
+                          "their names are NAME_0001 and so on",
                           3)) {
             stands.push_back({{row[0], row[1]}, row[2], section.where("copies")});
         }
     }
-    const std::string file = section.text_or(
-        "copies_file",
-        "a CSV file of them with columns east_m, north_m or latitude_deg, longitude_deg; "
-        "heading_deg",
-        "");
+    const std::string file =
+        section.text_or("copies_file",
+                        "CSV file of the places of copies, with columns east_m, north_m or "
+                        "latitude_deg, longitude_deg, and heading_deg",
+                        "");
     try {
         for (const Stand& stand : stands) check_heading(stand);
         if (section.has("copies_file")) {
@@ -140,22 +141,23 @@ std::vector<Stand> read_stands(const Section& section, const ScenePlaces& places
 /// What copies cannot have.
 void check_keys(const Section& section, const ObjectInput& object, const char* key) {
     if (section.has("copies") && section.has("copies_file")) {
-        section.mistake("copies", "stands beside copies_file, expected one of them");
+        section.mistake("copies", "cannot be combined with copies_file");
     }
     for (const char* other : {"place_m", "place", "heading_deg", "trajectory"}) {
         if (section.has(other)) {
             section.mistake(other,
-                            fmt::format("stands beside {}, which says where each stands", key));
+                            fmt::format("cannot be combined with {}, which gives the places", key));
         }
     }
-    if (section.has("texture")) section.mistake("texture", "not on an object with copies");
+    if (section.has("texture"))
+        section.mistake("texture", "not available for an object with copies");
     const bool on_ground =
         std::any_of(object.target.contact.begin(), object.target.contact.end(),
                     [](const ContactInput& contact) { return contact.on == ground_name; });
     if (on_ground) {
         section.mistake(key,
-                        "not of an object in contact with the ground, which would have to be "
-                        "worked out under each");
+                        "not available for an object in contact with the ground, whose "
+                        "temperatures differ below each copy");
     }
 }
 
@@ -164,15 +166,15 @@ void check_keys(const Section& section, const ObjectInput& object, const char* k
 std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object, Reading& reading) {
     const bool listed = section.has("copies"), filed = section.has("copies_file");
     std::vector<Stand> stands = read_stands(section, reading.places, object);
-    const double within = section.number_or(
-        "copies_alike_K",
-        "of copies: those whose light, sky and wind differ by no more than is worth this, in the "
-        "mean over their surface at the worst hour, share the temperatures of one; 0: each has "
-        "its own",
-        0.5, {0.0, 20.0});
+    const double within =
+        section.number_or("copies_alike_K",
+                          "copies share the temperatures of one representative if their different "
+                          "light, sky and wind change the mean surface temperature by no more than "
+                          "this at the worst hour; 0: each copy has its own temperatures",
+                          0.5, {0.0, 20.0});
     if (!listed && !filed) {
         if (section.has("copies_alike_K")) {
-            section.mistake("copies_alike_K", "stands without copies or copies_file");
+            section.mistake("copies_alike_K", "needs copies or copies_file");
         }
         std::vector<ObjectInput> one;
         one.push_back(std::move(object));
@@ -198,7 +200,7 @@ std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object,
         if (i > 0) one.notes.clear();  // reported once
         if (!reading.object_names.insert(one.name).second) {
             section.mistake(
-                key, fmt::format("a copy would be called \"{}\" as another object", one.name));
+                key, fmt::format("a copy would have the name \"{}\" of another object", one.name));
         }
     }
     return all;

@@ -23,20 +23,22 @@ RegionInput read_crossover_region(const Section& section, const std::string& whi
         return region;
     }
     const std::vector<double> given = section.numbers_or(
-        key, "in place of its name: [left, top, width, height] in the observer's picture",
+        key,
+        "region given as [left, top, width, height] in the observer's picture, instead of by name",
         {std::vector<double>{}, ""}, 4);
     RegionInput region{.kind = RegionInput::Kind::pixels,
                        .name = fmt::format("pixels {}", fmt::join(given, " ")),
                        .where = section.where(key)};
-    if (section.has(which)) section.mistake(which, "expected either this or " + key);
+    if (section.has(which)) section.mistake(which, "cannot be combined with " + key);
     if (given.size() != 4 || observer == nullptr) return region;
     for (std::size_t i = 0; i < 4; ++i) {
         const int most = i % 2 == 0 ? observer->width : observer->height;
         if (!(given[i] >= (i < 2 ? 0.0 : 1.0) && given[i] <= most) ||
             given[i] != std::floor(given[i]) || (i > 1 && given[i] + given[i - 2] > most)) {
-            section.mistake(key, fmt::format("expected whole numbers of a rectangle within the {} "
-                                             "x {} pixels of \"{}\"",
-                                             observer->width, observer->height, observer->name));
+            section.mistake(
+                key, fmt::format(
+                         "expected whole numbers: a rectangle within the {} x {} pixels of \"{}\"",
+                         observer->width, observer->height, observer->name));
             return region;
         }
         region.pixels[i] = static_cast<int>(given[i]);
@@ -50,9 +52,9 @@ const ObserverInput* read_observer_name(const Section& section,
     Names known{.what = "observer", .known = {}, .where = " in [[observer]]"};
     for (const ObserverInput& one : observers) known.known.push_back(one.name);
     const bool only = observers.size() == 1;
-    const std::string name =
-        section.name_or("observer", "to whom they look so; needed of several",
-                        {only ? known.known.front() : std::string(), "the only one"}, known);
+    const std::string name = section.name_or(
+        "observer", "observer that sees the regions (required if there are several)",
+        {only ? known.known.front() : std::string(), "the only one"}, known);
     if (!only && !section.has("observer")) {
         section.mistake("observer", "missing, expected the name of an [[observer]]");
     }
@@ -70,14 +72,15 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
     };
     if (section.has("bands")) {
         input.bands =
-            read_band_names(section, "ranges beyond 3 µm, words or names of [[bands]]",
-                            {std::vector<std::string>{}, "the observer's beyond 3 µm"}, bands);
+            read_band_names(section, "bands above 3 µm: words or names of [[bands]]",
+                            {std::vector<std::string>{}, "the observer's bands above 3 µm"}, bands);
         for (const std::string& band : input.bands) {
             try {
                 if (warm(band)) continue;
-                section.mistake("bands", fmt::format("\"{}\" begins below 3 um, where there is "
-                                                     "nothing to see at night",
-                                                     band));
+                section.mistake(
+                    "bands",
+                    fmt::format("\"{}\" begins below 3 um, where nothing is visible at night",
+                                band));
             } catch (const InputError& error) {
                 section.mistake("bands", error.mistakes().front().problem,
                                 error.mistakes().front().hint);
@@ -85,8 +88,8 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
         }
         return;
     }
-    section.texts_or("bands", "ranges beyond 3 µm, words or names of [[bands]]",
-                     {std::vector<std::string>{}, "the observer's beyond 3 µm"});
+    section.texts_or("bands", "bands above 3 µm: words or names of [[bands]]",
+                     {std::vector<std::string>{}, "the observer's bands above 3 µm"});
     if (observer == nullptr) return;
     for (const std::string& band : observer->bands) {
         try {
@@ -96,7 +99,7 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
         }
     }
     if (input.bands.empty()) {
-        section.mistake("bands", fmt::format("missing: \"{}\" has none beyond 3 um",  //
+        section.mistake("bands", fmt::format("missing: \"{}\" has no band above 3 um",  //
                                              observer->name));
     }
 }
@@ -104,11 +107,11 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
 std::vector<UncertainInput> read_uncertain(const Section& section) {
     std::vector<UncertainInput> found;
     for (const Section& one : section.sections(
-             "uncertain", "a number of the scene that is not known better, and moves the hours")) {
+             "uncertain", "an uncertain value of the scene that shifts the crossover times")) {
         found.push_back(
             {.key = read_uncertain_key(one),
-             .one_sigma = one.number(
-                 "one_sigma", "its value a standard deviation away from what the scene has now"),
+             .one_sigma = one.number("one_sigma",
+                                     "the value one standard deviation away from the present one"),
              .where = one.where()});
     }
     return found;
@@ -124,32 +127,31 @@ std::vector<CrossoverInput> read_crossovers(const Section& root, const TerrainIn
     std::vector<std::string> names;
     const RegionNames known = region_names(terrain, materials);
     for (const Section& section : root.sections(
-             "crossover", "when two things look equally warm to an observer: diurna crossover")) {
+             "crossover",
+             "times at which two regions have equal apparent temperature: diurna crossover")) {
         CrossoverInput input;
         input.where = section.where();
         const ObserverInput* observer = read_observer_name(section, observers, input);
         input.first = read_crossover_region(section, "first", known, observer);
         input.second = read_crossover_region(section, "second", known, observer);
         if (input.first.name == input.second.name && !input.first.name.empty()) {
-            section.mistake("second", "the same as first");
+            section.mistake("second", "must differ from first");
         }
         input.name = study_name(
             section, {plain_name(input.first.name + "-" + input.second.name), "FIRST-SECOND"},
             names);
         read_crossover_bands(section, bands, observer, input);
-        input.threshold = section.number_or("threshold_K",
-                                            "of apparent temperature, below which contrast is lost",
-                                            input.threshold, {1e-3, 100.0});
-        input.touching =
-            section.number_or("touching_K",
-                              "a least contrast below it, without a crossing, is told as one that "
-                              "touches",
-                              input.touching, {0.0, 10.0});
-        input.refined =
-            section.flag_or("refined",
-                            "solves again with half the step and twice the samples, to see how far "
-                            "crossings move",
-                            input.refined);
+        input.threshold = section.number_or(
+            "threshold_K", "difference of apparent temperature below which contrast is lost",
+            input.threshold, {1e-3, 100.0});
+        input.touching = section.number_or("touching_K",
+                                           "a minimum of the difference below this, without a "
+                                           "crossing, is reported as a touching crossover",
+                                           input.touching, {0.0, 10.0});
+        input.refined = section.flag_or("refined",
+                                        "solve again with half the step and twice the samples, to "
+                                        "measure how far crossovers move",
+                                        input.refined);
         input.uncertain = read_uncertain(section);
         found.push_back(std::move(input));
     }

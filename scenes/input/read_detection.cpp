@@ -18,9 +18,10 @@ std::optional<std::size_t> find_instrument(const Section& section,
     Names known{.what = "instrument", .known = {}, .where = " in [[instrument]]"};
     for (const InstrumentInput& one : instruments) known.known.push_back(one.instrument.name);
     const bool only = instruments.size() == 1;
-    const std::string name =
-        section.name_or("instrument", "by whose display it is looked at; needed of several",
-                        {only ? known.known.front() : std::string(), "the only one"}, known);
+    const std::string name = section.name_or(
+        "instrument",
+        "instrument whose display the observer watches (required if there are several)",
+        {only ? known.known.front() : std::string(), "the only one"}, known);
     if (!only && !section.has("instrument")) {
         section.mistake("instrument", "missing, expected the name of an [[instrument]]");
     }
@@ -34,10 +35,9 @@ void check_sees_heat(const Section& section, const InstrumentInput& instrument,
     try {
         const Band band = named_band(bands, instrument.band);
         if (0.5 * (band.from_um() + band.to_um()) >= 3.0) return;
-        section.mistake("instrument",
-                        fmt::format("sees in {}, expected one beyond 3 um: noise and contrast are "
-                                    "differences of temperature",
-                                    instrument.band));
+        section.mistake("instrument", fmt::format("has the band {}, expected one above 3 um: noise "
+                                                  "and contrast are temperature differences",
+                                                  instrument.band));
     } catch (const InputError&) {
         // Reported where the observer names its band.
     }
@@ -66,16 +66,17 @@ std::array<double, 3> by_task(const Section& section, const std::string& key, co
 /// The display, and who sits before it.
 Viewing read_viewing(const Section& section, const ObserverInput& observer) {
     Viewing viewing;
-    viewing.luminance = section.number_or("luminance_cd_m2", "of the display on average",
+    viewing.luminance = section.number_or("luminance_cd_m2", "mean luminance of the display",
                                           viewing.luminance, {0.01, 10000.0});
     viewing.display_deg =
-        section.number_or("width_deg", "of the whole picture on the display, at the eye",
+        section.number_or("width_deg", "angular width of the whole picture on the display",
                           viewing.display_deg, {0.5, 120.0});
     viewing.magnification = viewing.display_deg / observer.horizontal_fov_deg;
     viewing.display_deg *= std::sqrt(double(observer.height) / observer.width);
-    viewing.scene_contrast = section.number_or(
-        "scene_contrast_K", "that the display shows as its mean luminance: its level over gain",
-        viewing.scene_contrast, {0.01, 1000.0});
+    viewing.scene_contrast = section.number_or("scene_contrast_K",
+                                               "temperature difference shown with the display's "
+                                               "mean luminance (the level divided by the gain)",
+                                               viewing.scene_contrast, {0.01, 1000.0});
     return viewing;
 }
 
@@ -89,16 +90,15 @@ std::vector<DetectionInput> read_detections(const Section& root, const TerrainIn
                                             const std::optional<Site>& site) {
     std::vector<DetectionInput> found;
     std::vector<std::string> names;
-    for (const Section& section :
-         root.sections("detection",
-                       "how far an observer of an instrument's display makes an object out, by "
-                       "Johnson's cycles and by the Targeting Task Performance metric: diurna "
-                       "detection")) {
+    for (const Section& section : root.sections(
+             "detection",
+             "ranges at which an observer of an instrument's display detects an object, by "
+             "Johnson's criteria and the Targeting Task Performance metric: diurna detection")) {
         DetectionInput input;
         input.studied = read_studied(section, terrain, time, site);
-        input.name = study_name(section, {input.studied.object, "its object"}, names);
+        input.name = study_name(section, {input.studied.object, "name of the object"}, names);
         const std::vector<double> range =
-            section.numbers_or("range_m", "[least, greatest] that is asked of",
+            section.numbers_or("range_m", "[shortest, longest] range",
                                {std::vector<double>{input.range[0], input.range[1]}}, 2);
         if (range.size() == 2) {
             input.range = {range[0], range[1]};
@@ -106,8 +106,9 @@ std::vector<DetectionInput> read_detections(const Section& root, const TerrainIn
                 section.mistake("range_m", "expected two lengths from 1 to 200000, ascending");
             }
         }
-        input.probabilities = section.numbers_or("probabilities", "whose ranges are told",
-                                                 {input.probabilities, "0.5, 0.9"});
+        input.probabilities = section.numbers_or(
+            "probabilities", "probabilities of detection whose ranges are reported",
+            {input.probabilities, "0.5, 0.9"});
         for (const double p : input.probabilities) {
             if (!(p > 0.0 && p < 1.0)) {
                 section.mistake("probabilities", "expected numbers between 0 and 1");
@@ -115,7 +116,7 @@ std::vector<DetectionInput> read_detections(const Section& root, const TerrainIn
         }
         input.across = section.choice_or("criterion",
                                          "Johnson's cycles are counted over the root of the "
-                                         "target's area, or across its least width as seen",
+                                         "target's area, or across its smallest apparent width",
                                          false, {{"area", false}, {"across", true}});
         std::array<double, 3> n50{}, v50{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -124,12 +125,13 @@ std::vector<DetectionInput> read_detections(const Section& root, const TerrainIn
         }
         const std::array<double, 3> square = n50;
         input.n50 = by_task(section, "n50",
-                            "cycles of Johnson's that half the observers need for detection, "
-                            "recognition, identification; across: 1, 4, 8",
+                            "Johnson's N50: cycles for detection, recognition and identification "
+                            "with a probability of 50 %; defaults of across: 1, 4, 8",
                             square);
         input.v50 =
-            by_task(section, "v50", "the same of the Targeting Task Performance metric", v50);
-        const Section display = section.section("display", "by which it is looked at");
+            by_task(section, "v50",
+                    "V50 of the Targeting Task Performance metric, for the same tasks", v50);
+        const Section display = section.section("display", "the display that the observer watches");
         if (const auto at = find_instrument(section, instruments)) {
             input.instrument = *at;
             check_sees_heat(section, instruments[*at], bands);

@@ -19,12 +19,12 @@ DemOptions read_dem_options(const Section& section, const std::optional<Site>& s
     DemOptions options = read_posts(section, false);
     if (!section.has("radius_m")) return options;
     options.radius = section.number(
-        "radius_m", "of the circle about the site whose posts are read; else the whole raster",
+        "radius_m", "radius of the area around the site that is used; default: the whole raster",
         {10.0, 2e5});
     if (site) {
         options.centre = Geodetic{site->latitude_deg, site->longitude_deg, 0.0};
     } else {
-        section.mistake("radius_m", "a radius needs a [site] to be around");
+        section.mistake("radius_m", "needs a [site], the centre of the radius");
     }
     return options;
 }
@@ -34,19 +34,21 @@ DemOptions read_dem_options(const Section& section, const std::optional<Site>& s
 ElevationInput read_elevation_keys(const Section& section, const std::optional<Site>& site) {
     ElevationInput elevation;
     elevation.file = section.file(
-        "elevation", "a raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
+        "elevation",
+        "elevation raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
     const std::vector<std::string> tiles =
-        section.texts_or("more_tiles", "rasters of the same lattice that go on beside it", {});
+        section.texts_or("more_tiles", "adjacent rasters of the same grid", {});
     for (const std::string& tile : tiles) {
         elevation.tiles.push_back(section.file_named("more_tiles", tile));
     }
     elevation.reading = read_dem_options(section, site);
     elevation.tolerance = section.number_or(
-        "tolerance_m", "no post lies further from the mesh, vertically", 1.0, {0.0, 1000.0});
+        "tolerance_m", "largest vertical distance between mesh and posts", 1.0, {0.0, 1000.0});
     elevation.details = read_details(section, elevation.tolerance, elevation.reading.geoid);
-    elevation.refraction = section.number_or(
-        "refraction", "k of lines of sight: their curvature over the earth's; 0.13 by day", 0.0,
-        {0.0, 0.5});
+    elevation.refraction = section.number_or("refraction",
+                                             "refraction coefficient k of lines of sight: their "
+                                             "curvature divided by the earth's; 0.13 by day",
+                                             0.0, {0.0, 0.5});
     return elevation;
 }
 
@@ -74,7 +76,7 @@ SceneFrame frame_of(const std::optional<Site>& site, const ElevationInput& eleva
         }
         if (std::isnan(frame.site.height)) {
             throw InputError(where,
-                             fmt::format("{:.5f}, {:.5f} lies outside {} or over a void",
+                             fmt::format("{:.5f}, {:.5f} is outside {} or over a void",
                                          site->latitude_deg, site->longitude_deg, dem.source));
         }
     } else {

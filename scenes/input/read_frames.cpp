@@ -73,7 +73,7 @@ void add_window(const Window& window, const FrameSpan& span, std::vector<Instant
 }
 
 std::string outside(const std::string& text, const FrameSpan& span) {
-    return fmt::format("{} lies outside {}, {} to {}", text, span.said,
+    return fmt::format("{} is outside {}, {} to {}", text, span.said,
                        format_local(span.begin, span.utc_offset),
                        format_local(span.end, span.utc_offset));
 }
@@ -92,10 +92,11 @@ void add_text(const Section& section, const std::string& text, const FrameSpan& 
     try {
         frames.push_back(parse_instant(text, "frames"));
     } catch (const InputError&) {
-        section.mistake("frames", fmt::format("found '{}', expected an instant as "
-                                              "2026-07-15T06:00:00-04:00 or a window as "
-                                              "05:00-09:00 every 10 min",
-                                              text.substr(0, 60)));
+        section.mistake(
+            "frames",
+            fmt::format("found '{}', expected an instant such as 2026-07-15T06:00:00-04:00 or a "
+                        "window such as 05:00-09:00 every 10 min",
+                        text.substr(0, 60)));
         return;
     }
     if (frames.back() < span.begin || frames.back() > span.end) {
@@ -110,22 +111,21 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
     std::vector<Instant>& frames = all.frame;
     const std::vector<std::string> texts = section.texts_or(
         "frames",
-        "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
-        "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the "
-        "clock of start",
+        "instants of pictures, instead of frame_every_s: with UTC offset, or windows of every day, "
+        "\"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
         {});
     if (section.has("frames") && texts.empty() && !section.has_mistakes()) {
-        section.mistake("frames", "found no instant, expected one or more, or windows of a day",
-                        "without the key a picture is taken every frame_every_s");
+        section.mistake("frames", "found no instant, expected at least one, or windows of the day",
+                        "without this key, pictures are taken every frame_every_s");
     }
     for (const std::string& text : texts) add_text(section, text, span, frames);
-    const double every =
-        section.number_or("frame_every_s", "between pictures from the start on, without the end",
-                          {span.every, span.every_said}, {shortest, 366.0 * seconds_per_day});
+    const double every = section.number_or(
+        "frame_every_s", "interval between frames, from the start; the end is excluded",
+        {span.every, span.every_said}, {shortest, 366.0 * seconds_per_day});
     if (section.has("frames_at_sun")) {
         for (const char* key : {"frames", "frame_every_s"}) {
             if (section.has(key)) {
-                section.mistake(key, "stands beside frames_at_sun, expected one of the two");
+                section.mistake(key, "cannot be combined with frames_at_sun");
             }
         }
         return read_frames_at_sun(section, span);
@@ -137,13 +137,13 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
             frames.push_back(later(span.begin, double(i) * every));
         }
     } else if (section.has("frame_every_s")) {
-        section.mistake("frame_every_s", "stands beside frames, expected one of the two");
+        section.mistake("frame_every_s", "cannot be combined with frames");
     }
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     if (frames.size() > most_frames) {
         section.mistake(texts.empty() ? "frame_every_s" : "frames",
-                        fmt::format("asks for more than {} pictures", most_frames));
+                        fmt::format("makes more than {} pictures", most_frames));
     }
     return all;
 }

@@ -10,8 +10,8 @@ namespace {
 constexpr std::array keys{"height_above_ground_m", "height_above_sea_m",
                           "height_above_ellipsoid_m"};
 constexpr std::array overs{HeightOver::ground, HeightOver::sea, HeightOver::ellipsoid};
-constexpr std::array<const char*, 3> froms{"", ", above the sea in place of the ground",
-                                           ", above the ellipsoid of WGS84, as GPS has it"};
+constexpr std::array<const char*, 3> froms{"", ", above the sea instead of the ground",
+                                           ", above the WGS84 ellipsoid, as given by GPS"};
 constexpr Range absolute{-1000.0, 60000.0};
 
 }  // namespace
@@ -23,7 +23,7 @@ HeightInput read_height(const Section& section, const char* says, std::optional<
     for (std::size_t k = 1; k < keys.size(); ++k) {
         if (!section.has(keys[k])) continue;
         if (given || section.has(keys[0])) {
-            section.mistake(keys[k], "stands beside another height, expected one of " +
+            section.mistake(keys[k], "found two heights, expected only one of " +
                                          std::string(keys[0]) + ", " + keys[1] + ", " + keys[2]);
         }
         given = true;

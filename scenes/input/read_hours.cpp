@@ -64,11 +64,11 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
         if (const auto window = hours_window(text)) {
             hours.push_back(*window);
         } else {
-            section.mistake(key,
-                            fmt::format("found '{}', expected hours and a share as "
-                                        "05:30-06:10 0.3",
-                                        text.substr(0, 60)),
-                            "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
+            section.mistake(
+                key,
+                fmt::format("found '{}', expected hours and a share such as 05:30-06:10 0.3",
+                            text.substr(0, 60)),
+                "hours of the day up to 24:00, share 0 to 1 (default: 1)");
         }
     }
     for (std::size_t i = 0; i < hours.size() && hours.size() == texts.size(); ++i) {
@@ -84,21 +84,22 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
 std::vector<ClockHours::Window> read_hours(const Section& section) {
     const std::vector<std::string> texts = section.texts_or(
         "hours",
-        "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-        "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
-        "05:30-06:10\"; a temperature is held then, and is the air's else",
+        "times of heat release and its share: \"05:30-06:10 1.0\", \"06:10-07:00 0.3\" on every "
+        "day, by the clock of time.start, or on one day: \"2026-07-15 05:30-06:10\"; a temperature "
+        "is held during these times, otherwise it follows the air",
         {std::vector<std::string>{}, "always"});
     if (section.has("hours") && texts.empty()) {
-        section.mistake("hours", "found none, expected one or more; without the key it is always");
+        section.mistake("hours",
+                        "found no hours, expected at least one; without the key it is always on");
     }
     return windows_of(section, "hours", texts);
 }
 
 bool read_runs(const Section& section) {
     const bool runs = section.flag_or(
-        "runs", "its heat is released in the hours of the object's `running` alone", false);
+        "runs", "heat is released only in the hours of the object's `running`", false);
     if (runs && section.has("hours")) {
-        section.mistake("hours", "stands beside runs = true, expected one of the two");
+        section.mistake("hours", "cannot be combined with runs = true");
     }
     return runs;
 }

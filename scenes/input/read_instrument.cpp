@@ -22,7 +22,7 @@ ObserverInput* find_observer(const Section& section, std::vector<ObserverInput>&
     Names known{.what = "observer", .known = {}, .where = " in [[observer]]"};
     for (const ObserverInput& observer : observers) known.known.push_back(observer.name);
     const std::string name = section.name_or(
-        "observer", "whose aperture it stands behind; needed of several",
+        "observer", "observer whose aperture the instrument uses (required if there are several)",
         {observers.size() == 1 ? observers.front().name : std::string(), "the only one"}, known);
     for (ObserverInput& observer : observers) {
         if (observer.name == name) return &observer;
@@ -36,9 +36,10 @@ ObserverInput* find_observer(const Section& section, std::vector<ObserverInput>&
 std::string read_band(const Section& section, const ObserverInput& observer) {
     Names known{.what = "band", .known = observer.bands, .where = " of its observer"};
     const bool one = observer.bands.size() == 1;
-    const std::string band =
-        section.name_or("band", "of the observer's bands, in which it sees; needed of several",
-                        {one ? observer.bands.front() : std::string(), "the only one"}, known);
+    const std::string band = section.name_or(
+        "band",
+        "band of the instrument, one of the observer's bands (required if there are several)",
+        {one ? observer.bands.front() : std::string(), "the only one"}, known);
     if (!one && !section.has("band")) {
         section.mistake("band", "missing, expected one of its observer's bands",
                         fmt::format("{}", fmt::join(observer.bands, ", ")));
@@ -51,12 +52,11 @@ std::string read_band(const Section& section, const ObserverInput& observer) {
 void check_observer_fits(const Section& section, const ObserverInput& observer) {
     if (observer.projection != Projection::pinhole) {
         section.mistake("observer",
-                        "an instrument's lens is a pinhole's with distortion, expected "
-                        "an observer of projection = \"pinhole\"");
+                        "the observer's projection must be \"pinhole\": an instrument's lens has "
+                        "its own distortion");
     }
     if (observer.row_time > 0.0) {
-        section.mistake("observer",
-                        "has a row_time_s, but an instrument takes its picture at once");
+        section.mistake("observer", "has a row_time_s, but an instrument exposes all rows at once");
     }
 }
 
@@ -71,9 +71,10 @@ std::string add_seen_band(const Section& section, const InstrumentInput& input,
         if (*std::max_element(weight.value.begin(), weight.value.end()) > 0.0) {
             seen.response = weight;
         } else {
-            section.mistake("band", fmt::format("nothing of the band {} comes through its lens to "
-                                                "its detector",
-                                                input.band));
+            section.mistake(
+                "band",
+                fmt::format("no light of the band {} passes its lens and reaches its detector",
+                            input.band));
         }
     } catch (const InputError&) {
         // Reported where the observer names its band.
@@ -94,8 +95,8 @@ std::vector<InstrumentInput> read_instruments(const Section& root, std::uint64_t
     std::vector<InstrumentInput> found;
     for (const Section& section : root.one_or_more_sections(
              "instrument",
-             "a camera behind an observer's aperture, [instrument] where there is but one: what it "
-             "makes of the radiance, from the lens to counts")) {
+             "a camera behind an observer's aperture, [instrument] if there is only one: converts "
+             "radiance to counts, with lens, detector and electronics")) {
         InstrumentInput input;
         input.where = section.where();
         input.instrument = read_instrument(section);

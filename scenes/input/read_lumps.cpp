@@ -20,7 +20,7 @@ std::string own_name(const Section& section, const char* says, const TargetInput
     std::string name = section.text("name", says);
     if (name == outdoors_name || name == ground_name || target.has_enclosure(name) ||
         target.has_lump(name) || (!name.empty() && target.find_part(name) >= 0)) {
-        section.mistake("name", fmt::format("'{}' stands for something else already", name));
+        section.mistake("name", fmt::format("the name '{}' is already in use", name));
     }
     return name;
 }
@@ -36,7 +36,7 @@ void check_end(const Section& section, const std::string& key, const std::string
     }
     if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
     section.mistake(
-        key, fmt::format("no '{}' in this object, which has {}", name, fmt::join(known, ", ")),
+        key, fmt::format("unknown '{}' in this object, which has {}", name, fmt::join(known, ", ")),
         did_you_mean(name, known));
 }
 
@@ -44,33 +44,35 @@ void check_end(const Section& section, const std::string& key, const std::string
 
 EnclosureInput read_enclosure(const Section& section, const TargetInput& target) {
     EnclosureInput room;
-    room.name = own_name(section, "by which parts name it", target);
-    room.volume = section.number("volume_m3", "of its air", {1e-6, 1e7});
-    room.air_changes =
-        section.number_or("air_changes_per_h", "of its air with that outdoors", 0.5, {0.0, 1e5});
-    room.film =
-        section.number_or("film_W_m2K", "between its air and its inner faces", 3.0, {0.0, 1000.0});
+    room.name = own_name(section, "name by which parts refer to it", target);
+    room.volume = section.number("volume_m3", "volume of its air", {1e-6, 1e7});
+    room.air_changes = section.number_or("air_changes_per_h",
+                                         "air changes per hour with outdoor air", 0.5, {0.0, 1e5});
+    room.film = section.number_or("film_W_m2K",
+                                  "convective coefficient between its air and its inner faces", 3.0,
+                                  {0.0, 1000.0});
     return room;
 }
 
 LumpInput read_lump(const Section& section, const TargetInput& target) {
     LumpInput lump;
-    lump.name = own_name(section, "of a thing of one temperature: an engine, coolant, oil", target);
-    lump.capacity = section.number_or("heat_capacity_J_K", "of all of it", 0.0, {0.0, 1e12});
-    lump.watts = section.number_or("heat_W", "released in it", 0.0, {-1e8, 1e8});
-    lump.kelvin = section.number_or("temperature_K", "that it is held at",
-                                    {not_given, "none: it finds its own"}, {150.0, 2500.0});
+    lump.name =
+        own_name(section, "name of a body of one temperature: an engine, coolant, oil", target);
+    lump.capacity =
+        section.number_or("heat_capacity_J_K", "heat capacity of the whole body", 0.0, {0.0, 1e12});
+    lump.watts = section.number_or("heat_W", "heat released in it", 0.0, {-1e8, 1e8});
+    lump.kelvin = section.number_or("temperature_K", "fixed temperature",
+                                    {not_given, "none: computed"}, {150.0, 2500.0});
     lump.hours = read_hours(section);
     lump.runs = read_runs(section);
     if ((!lump.hours.empty() || lump.runs) && std::isnan(lump.kelvin) && lump.watts == 0.0) {
-        section.mistake(lump.runs ? "runs" : "hours", "of no heat and no temperature");
+        section.mistake(lump.runs ? "runs" : "hours", "has no effect without heat_W or temperature_K");
     }
     if (!std::isnan(lump.kelvin) && lump.capacity != 0.0) {
-        section.mistake("heat_capacity_J_K",
-                        "of a lump that is held at temperature_K does nothing");
+        section.mistake("heat_capacity_J_K", "has no effect on a lump with a fixed temperature_K");
     }
     if (!std::isnan(lump.kelvin) && lump.watts != 0.0) {
-        section.mistake("heat_W", "of a lump that is held at temperature_K does nothing");
+        section.mistake("heat_W", "has no effect on a lump with a fixed temperature_K");
     }
     return lump;
 }
@@ -78,7 +80,7 @@ LumpInput read_lump(const Section& section, const TargetInput& target) {
 LinkInput read_link(const Section& section, TargetInput& target) {
     LinkInput link;
     const std::vector<std::string> between = section.texts_or(
-        "between", "two of the names of lumps, enclosures, parts (one at most) and \"outdoors\"",
+        "between", "two names of lumps, enclosures, parts (at most one) and \"outdoors\"",
         {std::vector<std::string>{}, "required"});
     if (between.size() != 2) {
         section.mistake("between", fmt::format("found {} names, expected two", between.size()));
@@ -89,19 +91,21 @@ LinkInput read_link(const Section& section, TargetInput& target) {
     for (const std::string& name : between) check_end(section, "between", name, target, true);
     if (target.find_part(link.a) >= 0) std::swap(link.a, link.b);
     if (target.find_part(link.a) >= 0) {
-        section.mistake("between", "joins two parts, expected a lump between them",
-                        "parts that share edges conduct over them; others touch by way of a lump");
+        section.mistake("between", "connects two parts, expected a lump between them",
+                        "parts with common edges conduct across them; connect others by a lump");
     }
-    if (link.a == link.b) section.mistake("between", "joins a thing with itself");
+    if (link.a == link.b) section.mistake("between", "connects a name with itself");
     const bool to_part = target.find_part(link.b) >= 0;
-    link.conductance = section.number_or("conductance_W_K", "of all of it",
-                                         {not_given, "needed, or film_W_m2K"}, {0.0, 1e9});
-    link.film = section.number_or("film_W_m2K", "of a part's inner face, by its area",
-                                  {not_given, "needed, or conductance_W_K"}, {0.0, 1e6});
+    link.conductance =
+        section.number_or("conductance_W_K", "total conductance",
+                          {not_given, "required unless film_W_m2K is given"}, {0.0, 1e9});
+    link.film =
+        section.number_or("film_W_m2K", "conductance per area of a part's inner face",
+                          {not_given, "required unless conductance_W_K is given"}, {0.0, 1e6});
     if (std::isnan(link.conductance) == std::isnan(link.film)) {
-        section.mistake("conductance_W_K", "expected either this or film_W_m2K");
+        section.mistake("conductance_W_K", "expected exactly one of this and film_W_m2K");
     } else if (!to_part && !std::isnan(link.film)) {
-        section.mistake("film_W_m2K", "needs a part, whose area it counts by");
+        section.mistake("film_W_m2K", "needs a part, whose area it is multiplied by");
     }
     link.where = section.where();
     return link;
@@ -109,14 +113,15 @@ LinkInput read_link(const Section& section, TargetInput& target) {
 
 StreamInput read_stream(const Section& section, const TargetInput& target) {
     StreamInput stream;
-    stream.from = section.text("from", "the lump or enclosure that it leaves, or \"outdoors\"");
-    stream.to = section.text("to", "the lump or enclosure that it enters, or \"outdoors\"");
+    stream.from = section.text("from", "lump or enclosure that the fluid leaves, or \"outdoors\"");
+    stream.to = section.text("to", "lump or enclosure that the fluid enters, or \"outdoors\"");
     check_end(section, "from", stream.from, target, false);
     check_end(section, "to", stream.to, target, false);
-    if (stream.from == stream.to) section.mistake("to", "leads where it comes from");
-    const double flow = section.number("flow_kg_s", "of mass", {0.0, 1e6});
-    stream.conductance = flow * section.number_or("heat_capacity_J_kgK", "of the fluid",
-                                                  {water_heat_capacity, "water's"}, {10.0, 2e4});
+    if (stream.from == stream.to) section.mistake("to", "is the same as from");
+    const double flow = section.number("flow_kg_s", "mass flow", {0.0, 1e6});
+    stream.conductance =
+        flow * section.number_or("heat_capacity_J_kgK", "specific heat of the fluid",
+                                 {water_heat_capacity, "water's"}, {10.0, 2e4});
     return stream;
 }
 
@@ -131,10 +136,11 @@ void check_streams(const Section& section, const TargetInput& target) {
     }
     for (const auto& [name, watts] : more) {
         if (name == outdoors_name || std::abs(watts) <= 1e-3 * all[name]) continue;
-        section.mistake(
-            "stream",
-            fmt::format("'{}' gets {:g} W/K more than leaves it, expected as much", name, watts),
-            "close the loop, or lead it to \"outdoors\"");
+        section.mistake("stream",
+                        fmt::format("the flow into '{}' is {:g} W/K larger than the flow out of "
+                                    "it, expected equal flows",
+                                    name, watts),
+                        "close the loop, or let it end at \"outdoors\"");
     }
 }
 

@@ -9,11 +9,11 @@ namespace {
 /// The way one receiver faces; none for six of them.
 std::optional<Eigen::Vector3d> read_normal(const Section& section) {
     if (!section.has("normal")) return std::nullopt;
-    const std::vector<double> axes = section.numbers(
-        "normal",
-        "[east, north, up] that one receiver faces; else six face up, down, north, east, "
-        "south and west",
-        3);
+    const std::vector<double> axes =
+        section.numbers("normal",
+                        "[east, north, up] normal of one receiver; without it, six receivers face "
+                        "up, down, north, east, south and west",
+                        3);
     const Eigen::Vector3d normal(axes[0], axes[1], axes[2]);
     if (!(normal.stableNorm() > 1e-6)) {
         section.mistake("normal", "has no direction, expected [east, north, up] such as [0, 0, 1]");
@@ -29,13 +29,15 @@ std::vector<RadiometerInput> read_radiometers(const Section& root, const ScenePl
     std::vector<std::string> names;
     for (const Section& section :
          root.sections("radiometer",
-                       "pyranometers and pyrgeometers at a place: short- and longwave at every "
-                       "step of the heat balance, in radiometer_NAME.csv")) {
-        RadiometerInput input{.name = study_name(section, {"", "required"}, names),
-                              .stands = read_height(section, "of the receivers", 1.1, {0.02, 1e4}),
-                              .where = section.where()};
+                       "pyranometers and pyrgeometers at a place: shortwave and longwave "
+                       "irradiance at every step of the heat balance, in radiometer_NAME.csv")) {
+        RadiometerInput input{
+            .name = study_name(section, {"", "required"}, names),
+            .stands = read_height(section, "height of the receivers", 1.1, {0.02, 1e4}),
+            .where = section.where()};
         if (input.name.empty()) section.mistake("name", "missing, expected a name");
-        input.place = places.one(section, {"place_m", "place"}, "of the receivers", input.stands);
+        input.place =
+            places.one(section, {"place_m", "place"}, "place of the receivers", input.stands);
         input.normal = read_normal(section);
         radiometers.push_back(std::move(input));
     }

@@ -31,9 +31,8 @@ struct RegionNames {
 RegionNames region_names(const TerrainInput& terrain, const std::vector<std::string>& materials);
 
 inline constexpr const char* region_says =
-    "an object, a building, a polygon of the ground, \"ground\" for the rest of it, OBJECT/PART, "
-    "or "
-    "a material; material:NAME where one of those has its name, too";
+    "an object, a building, a polygon of the ground, \"ground\" for the rest of the ground, "
+    "OBJECT/PART, or a material (material:NAME where another has the same name)";
 
 /// One of those names as what it stands for.
 RegionInput region_named(const std::string& name, const RegionNames& known);

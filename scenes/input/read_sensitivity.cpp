@@ -26,11 +26,10 @@ struct Known {
 std::vector<RangedInput> read_ranges(const Section& section) {
     std::vector<RangedInput> found;
     std::set<std::string> keys;
-    for (const Section& one :
-         section.sections("uncertain", "a number of the scene that is not known well")) {
+    for (const Section& one : section.sections("uncertain", "an uncertain value of the scene")) {
         found.push_back({.key = read_uncertain_key(one),
-                         .low = one.number("low", "the least that it may be"),
-                         .high = one.number("high", "the most that it may be"),
+                         .low = one.number("low", "lowest value"),
+                         .high = one.number("high", "highest value"),
                          .where = one.where()});
         const RangedInput& input = found.back();
         if (!one.has_mistakes() && !(input.low < input.high)) {
@@ -58,14 +57,15 @@ void read_sensitivity_band(const Section& section, const Known& known, Sensitivi
         return named_band(known.bands, name).from_um() >= heat_begins_um;
     };
     const bool given = section.has("band");
-    output.band = section.text_or("band", "a range beyond 3 µm, a word or a name of [[bands]]",
-                                  {std::string(), "the observer's first beyond 3 µm"});
+    output.band = section.text_or("band", "band above 3 µm: a word or a name of [[bands]]",
+                                  {std::string(), "the observer's first band above 3 µm"});
     try {
         if (given) {
             if (!warm(output.band)) {
-                section.mistake("band", fmt::format("\"{}\" begins below 3 um, where there is "
-                                                    "nothing to see at night",
-                                                    output.band));
+                section.mistake(
+                    "band",
+                    fmt::format("\"{}\" begins below 3 um, where nothing is visible at night",
+                                output.band));
             }
             return;
         }
@@ -79,7 +79,7 @@ void read_sensitivity_band(const Section& section, const Known& known, Sensitivi
         return;
     }
     if (output.band.empty()) {
-        section.mistake("band", "missing: the observer has none beyond 3 um");
+        section.mistake("band", "missing: the observer has no band above 3 um");
     }
 }
 
@@ -87,9 +87,9 @@ void read_eye(const Section& section, const Known& known, SensitivityOutput& out
     Names names{.what = "observer", .known = {}, .where = " in [[observer]]"};
     for (const ObserverInput& one : known.observers) names.known.push_back(one.name);
     const bool only = names.known.size() == 1;
-    const std::string name =
-        section.name_or("observer", "to whom they look so; needed of several",
-                        {only ? names.known.front() : std::string(), "the only one"}, names);
+    const std::string name = section.name_or(
+        "observer", "observer that sees the regions (required if there are several)",
+        {only ? names.known.front() : std::string(), "the only one"}, names);
     if (!only && !section.has("observer")) {
         section.mistake("observer", "missing, expected the name of an [[observer]]");
     }
@@ -102,31 +102,31 @@ void read_eye(const Section& section, const Known& known, SensitivityOutput& out
 SensitivityOutput read_one_output(const Section& section, const Known& known, Instant start) {
     SensitivityOutput output;
     output.where = section.where();
-    output.figure =
-        section.choice_or("figure",
-                          "mean temperature of first over its area; apparent temperature of first "
-                          "less that of second; hour at which these are equal",
-                          Figure::temperature,
-                          {{"temperature", Figure::temperature},
-                           {"contrast", Figure::contrast},
-                           {"crossover", Figure::crossover}});
+    output.figure = section.choice_or(
+        "figure",
+        "temperature: mean of first over its area; contrast: apparent temperature of first minus "
+        "that of second; crossover: hour at which these are equal",
+        Figure::temperature,
+        {{"temperature", Figure::temperature},
+         {"contrast", Figure::contrast},
+         {"crossover", Figure::crossover}});
     output.first = read_sensitivity_region(section, "first", region_says, known);
     std::string usual = output.first.name;
     if (output.figure != Figure::temperature) {
-        output.second = read_sensitivity_region(section, "second",
-                                                "likewise, what first is compared with", known);
+        output.second =
+            read_sensitivity_region(section, "second", "region of comparison, as first", known);
         if (output.first.name == output.second.name && !output.first.name.empty()) {
-            section.mistake("second", "the same as first");
+            section.mistake("second", "must differ from first");
         }
         usual += " - " + output.second.name;
         read_eye(section, known, output);
     }
     if (output.figure == Figure::crossover) {
-        output.number = section.integer_or("number", "which one of the span's crossovers",
+        output.number = section.integer_or("number", "number of the crossover in the span",
                                            output.number, {1, 1000});
         usual += fmt::format(" crossover {}", output.number);
     } else {
-        const double hour = section.number("at_h", "after the span's start", {0.0, 8784.0});
+        const double hour = section.number("at_h", "hours after the span's start", {0.0, 8784.0});
         if (hour > known.hours) {
             section.mistake("at_h", fmt::format("found {:g}, expected within the span of {:g} h",
                                                 hour, known.hours));
@@ -134,7 +134,7 @@ SensitivityOutput read_one_output(const Section& section, const Known& known, In
         output.at = later(start, 3600.0 * hour);
         usual += fmt::format(" at {:g} h", hour);
     }
-    output.name = section.text_or("name", "in the results", {usual, "FIRST - SECOND at N h"});
+    output.name = section.text_or("name", "name in the results", {usual, "FIRST - SECOND at N h"});
     return output;
 }
 
@@ -150,14 +150,13 @@ std::vector<SensitivityInput> read_sensitivities(const Section& root, const Terr
     const Known known{region_names(terrain, materials), bands, observers, time.duration / 3600.0};
     for (const Section& section :
          root.sections("sensitivity",
-                       "what numbers that are not known well do to figures of the scene: diurna "
-                       "sensitivity")) {
+                       "effect of uncertain values on results of the scene: diurna sensitivity")) {
         SensitivityInput input;
         input.where = section.where();
         input.name = study_name(section, {"sensitivity", "sensitivity"}, names);
         input.uncertain = read_ranges(section);
         std::set<std::string> outputs;
-        for (const Section& one : section.sections("output", "a figure that is asked for")) {
+        for (const Section& one : section.sections("output", "a result to be studied")) {
             input.outputs.push_back(read_one_output(one, known, time.start));
             if (!outputs.insert(input.outputs.back().name).second) {
                 one.mistake("name", fmt::format("two of the name \"{}\"",  //
@@ -167,11 +166,11 @@ std::vector<SensitivityInput> read_sensitivities(const Section& root, const Terr
         if (input.outputs.empty()) section.mistake("output", "missing, expected at least one");
         input.trajectories = std::size_t(section.integer_or(
             "trajectories",
-            "of Morris's screening, each of one scene more than there are uncertain numbers; 0: "
-            "one at a time alone",
+            "number of trajectories of Morris's screening; each solves one scene more than there "
+            "are uncertain values; 0: one value at a time only",
             static_cast<int>(input.trajectories), {0, 1000}));
-        input.levels =
-            section.integer_or("levels", "of every number in it, even", input.levels, {2, 100});
+        input.levels = section.integer_or("levels", "number of levels of every value, even",
+                                          input.levels, {2, 100});
         if (input.levels % 2 != 0) section.mistake("levels", "expected an even number");
         found.push_back(std::move(input));
     }

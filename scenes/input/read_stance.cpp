@@ -39,29 +39,29 @@ void read_stance(const Section& section, bool of_model, ObjectInput& object) {
     enum class Stands { by_itself, on_slope, upright };
     const Stands stands = section.choice_or(
         "stands",
-        "on_slope: its contact points (wheels, tracks, corners) lie on the ground, whose slope "
-        "gives its pitch and roll, along a trajectory too; upright: plumb, as buildings, masts and "
-        "trees; by_itself: on_slope but for what is over 3 times as high as its contact points are "
-        "wide, over 0.5 m above or below the ground (on a trajectory less and less up to 1 m), in "
-        "flight, or a model of a building or mast",
+        "on_slope: its contact points (wheels, tracks, corners) touch the ground, whose slope "
+        "gives pitch and roll, also along a trajectory; upright: vertical, such as buildings, "
+        "masts and trees; by_itself: on_slope, except for objects over 3 times as high as the base "
+        "of their contact points, over 0.5 m above or below the ground (on a trajectory with a "
+        "transition up to 1 m), in flight, or a model of a building or mast",
         Stands::by_itself,
         {{"by_itself", Stands::by_itself},
          {"on_slope", Stands::on_slope},
          {"upright", Stands::upright}});
-    object.placing.pitch_deg = section.number_or(
-        "pitch_deg", "its front above the level, in place of what the ground's slope gives",
-        {0.0, "by the ground's slope; 0 with roll_deg"}, {-90.0, 90.0});
-    object.placing.roll_deg = section.number_or(
-        "roll_deg", "its right side below the level, in place of what the ground's slope gives",
-        {0.0, "by the ground's slope; 0 with pitch_deg"}, {-180.0, 180.0});
+    object.placing.pitch_deg =
+        section.number_or("pitch_deg", "pitch, front up, instead of the slope's",
+                          {0.0, "from the ground's slope; 0 with roll_deg"}, {-90.0, 90.0});
+    object.placing.roll_deg =
+        section.number_or("roll_deg", "roll, right side down, instead of the slope's",
+                          {0.0, "from the ground's slope; 0 with pitch_deg"}, {-180.0, 180.0});
     const bool angles = section.has("pitch_deg") || section.has("roll_deg");
     if (angles && section.has("stands")) {
-        section.mistake("stands", "stands beside pitch_deg or roll_deg, expected one of the two");
+        section.mistake("stands", "cannot be combined with pitch_deg or roll_deg");
     }
     const bool on_ground = object.stands.over == HeightOver::ground;
     if (stands == Stands::on_slope && !on_ground) {
         section.mistake("stands",
-                        "found \"on_slope\" on an object whose height is not above the ground, "
+                        "found \"on_slope\" for an object whose height is not above the ground, "
                         "expected height_above_ground_m");
     }
     object.angles_given = angles;

@@ -19,11 +19,10 @@ namespace {
 void read_running(const Section& object, TargetInput& target) {
     const std::vector<ClockHours::Window> hours =
         windows_of(object, "running",
-                   object.texts_or(
-                       "running",
-                       "when what has `runs` in its parts, lumps and jets (an engine, its exhaust) "
-                       "releases heat or blows, and the share of it, as their `hours`",
-                       {std::vector<std::string>{}, "never"}));
+                   object.texts_or("running",
+                                   "operating hours of the parts, lumps and jets with `runs` (an "
+                                   "engine, its exhaust), and their share, in the form of `hours`",
+                                   {std::vector<std::string>{}, "never"}));
     bool any = false;
     const auto set = [&](auto& source) {
         if (!source.runs) return;
@@ -54,33 +53,35 @@ void read_running(const Section& object, TargetInput& target) {
 PartInput read_part(const Section& section, const Names& materials) {
     PartInput part;
     part.name = section.text("name",
-                             "of a group, node or material of the mesh; \"*\": whatever no other "
-                             "part names");
-    part.material = section.name_or("material", "of it; else as the object says", "", materials);
-    part.inside = section.text_or("inside", "the enclosure that its inner face looks into", "");
+                             "name of a group, node or material of the mesh; \"*\": everything "
+                             "that no other part names");
+    part.material = section.name_or(
+        "material", "material of the part; default: as the object declares", "", materials);
+    part.inside = section.text_or("inside", "enclosure that its inner face faces", "");
     part.inner_emissivity = section.number_or(
-        "inner_emissivity", "of that face",
-        {not_given, "that of the material's `back`, else of its front"}, {0.0, 1.0});
-    part.watts =
-        section.number_or("heat_W", "released in all of it, at its inner face", 0.0, {-1e7, 1e7});
-    part.watts_m2 = section.number_or("heat_W_m2", "released in it, by its area", 0.0, {-1e5, 1e5});
-    part.kelvin = section.number_or("temperature_K", "that its inner face is held at",
-                                    {not_given, "none: it finds its own"}, {150.0, 2500.0});
+        "inner_emissivity", "emissivity of its inner face",
+        {not_given, "that of the material's `back`, otherwise of its front"}, {0.0, 1.0});
+    part.watts = section.number_or("heat_W", "heat released in the whole part, at its inner face",
+                                   0.0, {-1e7, 1e7});
+    part.watts_m2 = section.number_or("heat_W_m2", "heat released per area", 0.0, {-1e5, 1e5});
+    part.kelvin = section.number_or("temperature_K", "fixed temperature of its inner face",
+                                    {not_given, "none: computed"}, {150.0, 2500.0});
     part.welded =
-        section.flag_or("welded", "heat goes on over the edges it shares with other parts", true);
+        section.flag_or("welded", "conduct heat across the edges shared with other parts", true);
     part.hours = read_hours(section);
     part.runs = read_runs(section);
     part.where = section.where();
     if (!std::isnan(part.kelvin) && (part.watts != 0.0 || part.watts_m2 != 0.0)) {
         section.mistake(part.watts != 0.0 ? "heat_W" : "heat_W_m2",
-                        "of a part that is held at temperature_K does nothing");
+                        "has no effect on a part with a fixed temperature_K");
     }
     if ((!part.hours.empty() || part.runs) && std::isnan(part.kelvin) && part.watts == 0.0 &&
         part.watts_m2 == 0.0) {
-        section.mistake(part.runs ? "runs" : "hours", "of no heat and no temperature");
+        section.mistake(part.runs ? "runs" : "hours",
+                        "has no effect without heat or temperature_K");
     }
     if (part.watts != 0.0 && part.watts_m2 != 0.0) {
-        section.mistake("heat_W_m2", "stands beside heat_W, expected one of the two");
+        section.mistake("heat_W_m2", "cannot be combined with heat_W");
     }
     return part;
 }
@@ -88,24 +89,24 @@ PartInput read_part(const Section& section, const Names& materials) {
 void read_tables(const Section& root, const Names& materials, TargetInput& target) {
     for (const Section& section :
          root.sections("part",
-                       "a part of the mesh as a body of heat: its facets conduct along the "
-                       "sheet, and its inner face has surroundings of its own")) {
+                       "a part of the mesh in the thermal network: its facets conduct along the "
+                       "sheet, and its inner face has its own surroundings")) {
         PartInput part = read_part(section, materials);
         if (!part.name.empty() && target.find_part(part.name) >= 0) {
-            section.mistake("name", fmt::format("'{}' stands twice, expected once", part.name));
+            section.mistake("name", fmt::format("'{}' is defined twice, expected once", part.name));
         }
         target.part.push_back(std::move(part));
     }
     for (const Section& section :
          root.sections("enclosure",
-                       "a room behind parts: its air, and the radiation between its "
-                       "inner faces")) {
+                       "a room behind parts: its air, and the radiation between its inner faces")) {
         target.enclosure.push_back(read_enclosure(section, target));
     }
-    for (const Section& section : root.sections("lump", "something of one temperature within")) {
+    for (const Section& section :
+         root.sections("lump", "a body of one temperature inside the object")) {
         target.lump.push_back(read_lump(section, target));
     }
-    for (const Section& section : root.sections("link", "what conducts between two of them")) {
+    for (const Section& section : root.sections("link", "conductance between two of them")) {
         target.link.push_back(read_link(section, target));
     }
     for (const Section& section :
@@ -120,24 +121,24 @@ void read_tables(const Section& root, const Names& materials, TargetInput& targe
         for (const ContactInput& other : target.contact) {
             const bool same = other.part == contact.part && other.on == contact.on;
             if (!same && !(other.part == contact.on && other.on == contact.part)) continue;
-            section.mistake("between", fmt::format("joins '{}' and '{}' as {} does, expected once",
-                                                   contact.part, contact.on, other.where));
+            section.mistake(
+                "between", fmt::format("connects '{}' and '{}' as {} does, expected one connection",
+                                       contact.part, contact.on, other.where));
         }
         target.contact.push_back(std::move(contact));
     }
     std::vector<std::string> lumps;
     for (const LumpInput& lump : target.lump) lumps.push_back(lump.name);
     for (const EnclosureInput& room : target.enclosure) lumps.push_back(room.name);
-    for (const Section& section :
-         root.sections("jet",
-                       "a stream of hot gas that warms what it blows over: the object's "
-                       "facets, others, the ground")) {
+    for (const Section& section : root.sections("jet",
+                                                "a jet of hot gas that heats surfaces in its path: "
+                                                "the object's facets, others, the ground")) {
         JetInput jet = read_jet(section, lumps);
         const bool known =
             std::any_of(target.jet.begin(), target.jet.end(),
                         [&](const JetInput& other) { return other.name == jet.name; });
         if (known) {
-            section.mistake("name", fmt::format("'{}' stands twice, expected once", jet.name));
+            section.mistake("name", fmt::format("'{}' is defined twice, expected once", jet.name));
         }
         target.jet.push_back(std::move(jet));
     }
@@ -172,9 +173,11 @@ void match_parts(const Section& section, const MeshFile& mesh, TargetInput& targ
                                 did_you_mean(part.name, names));
             }
             if (!part.inside.empty() && !target.has_enclosure(part.inside)) {
-                section.mistake("part", fmt::format("{}: \"{}\" is inside of '{}', which is no "
-                                                    "enclosure of this object",
-                                                    part.where, part.name, part.inside));
+                section.mistake(
+                    "part",
+                    fmt::format(
+                        "{}: \"{}\" is inside of '{}', which is not an enclosure of this object",
+                        part.where, part.name, part.inside));
             }
         }
     }
@@ -189,9 +192,8 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
     target.file = file;
     if (!file.empty()) {
         if (!target.part.empty() || !target.lump.empty() || !target.enclosure.empty()) {
-            object.mistake("part", fmt::format("stands beside the part file {}, expected one of "
-                                               "the two",
-                                               file.string()));
+            object.mistake("part",
+                           fmt::format("cannot be combined with the part file {}", file.string()));
         }
         try {
             const Document document = Document::from_file(file, object.confines());
@@ -209,7 +211,7 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
         object.mistake(
             "part",
             "missing, expected at least one: lumps, enclosures, contacts and jets act on parts",
-            "[[object.part]] with name = \"*\" is all of the mesh");
+            "[[object.part]] with name = \"*\" is the whole mesh");
     }
     read_running(object, target);
     match_parts(object, mesh, target);

@@ -47,9 +47,10 @@ void check_ring(const Section& section, const std::string& key,
     double area = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!(ring[i].cwiseAbs().maxCoeff() <= furthest)) {
-            section.mistake(key, fmt::format("found a corner at [{:g}, {:g}], expected {:g} m from "
-                                             "the site at most",
-                                             ring[i].x(), ring[i].y(), furthest));
+            section.mistake(
+                key,
+                fmt::format("found a corner at [{:g}, {:g}], expected at most {:g} m from the site",
+                            ring[i].x(), ring[i].y(), furthest));
             return;
         }
         if (i > 1) area += 0.5 * turn(ring[0], ring[i - 1], ring[i]);
@@ -59,11 +60,11 @@ void check_ring(const Section& section, const std::string& key,
         for (std::size_t k = i + 2; k < n && (i > 0 || k + 1 < n); ++k) {
             const Eigen::Vector2d &c = ring[k], &d = ring[(k + 1) % n];
             if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0) {
-                section.mistake(key,
-                                fmt::format("its side from corner {} crosses that from corner "
-                                            "{}",
-                                            i + 1, k + 1),
-                                "corners one after the other, as one walks round it");
+                section.mistake(
+                    key,
+                    fmt::format("its side from corner {} crosses the one from corner {}", i + 1,
+                                k + 1),
+                    "give the corners in order along the border");
                 return;
             }
         }
@@ -79,9 +80,8 @@ std::string border_key(const Section& section) {
         if (!section.has(key)) continue;
         found = key;
         if (++given == 2) {
-            section.mistake(key,
-                            "stands beside another border, expected one of ring_m, rectangle_m, "
-                            "ring, rectangle");
+            section.mistake(
+                key, "found two borders, expected one of ring_m, rectangle_m, ring, rectangle");
         }
     }
     return found;
@@ -91,16 +91,17 @@ std::string border_key(const Section& section) {
 std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlaces& places,
                                          const std::string& key) {
     if (key == "ring") {
-        return places.all(section, "ring",
-                          section.rows("ring",
-                                       "in place of ring_m: [[latitude, longitude], ...], or as "
-                                       "place_crs says",
-                                       2, 3));
+        return places.all(
+            section, "ring",
+            section.rows(
+                "ring",
+                "[[latitude, longitude], ...] instead of ring_m, or in the CRS of place_crs", 2,
+                3));
     }
     if (key == "ring_m") {
         std::vector<Eigen::Vector2d> ring;
         for (const auto& corner : section.rows(
-                 "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2,
+                 "ring_m", "[[east, north], ...]: corners in order, the first one not repeated", 2,
                  3)) {
             ring.emplace_back(corner[0], corner[1]);
         }
@@ -109,10 +110,10 @@ std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlac
     const bool mapped = key == "rectangle", sound = !section.has_mistakes();
     const std::vector<double> spec = section.numbers(
         key,
-        mapped ? "in place of rectangle_m: [latitude, longitude, length, width, heading_deg], the "
-                 "first two as place_crs says, the others in metres and degrees"
-               : "[east, north, length, width, heading_deg]: middle, sides, the way its length "
-                 "points; or ring_m",
+        mapped ? "[latitude, longitude, length, width, heading_deg] instead of rectangle_m, the "
+                 "first two in the CRS of place_crs, the others in metres and degrees"
+               : "[east, north, length, width, heading_deg]: centre, sides, direction of the "
+                 "length; or give ring_m",
         5);
     if (sound && section.has_mistakes()) return {};  // no five numbers, which is reported
     if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
@@ -127,14 +128,14 @@ std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlac
 
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
-    polygon.name = reading.object(section, "of the object that this ground is");
+    polygon.name = reading.object(section, "name of the object that this ground forms");
     polygon.kind = class_of(section, {polygon.name, "name"});
     polygon.material = section.name_or(
-        "material", "of the ground within; without one it is as the rules say, on a finer mesh", "",
-        reading.materials);
+        "material", "material of the ground inside; without it as the rules give, on a finer mesh",
+        "", reading.materials);
     reading.texture(section, reading.texture_uses.of_object, polygon.name);
-    polygon.largest_edge =
-        section.number_or("largest_edge_m", "of the triangles within", 30.0, {1.0, 1e4});
+    polygon.largest_edge = section.number_or(
+        "largest_edge_m", "largest edge of the triangles inside", 30.0, {1.0, 1e4});
     const std::string key = border_key(section);
     const bool sound = !section.has_mistakes();
     polygon.ring = read_border(section, reading.places, key);
@@ -146,34 +147,40 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
 
 Building read_building(const Section& section, Reading& reading) {
     Building building;
-    building.name = reading.object(section, "of the object that it is");
+    building.name = reading.object(section, "name of the object");
     building.kind = class_of(section, "building");
     reading.texture(section, reading.texture_uses.of_object, building.name);
-    building.place = reading.places.one(section, {"place_m", "place"}, "of the middle of its plan");
-    building.width = section.number("width_m", "of its front", {0.5, 1000.0});
-    building.depth = section.number("depth_m", "from its front to its back", {0.5, 1000.0});
-    building.height = section.number("height_m", "above the ground at its middle", {0.5, 500.0});
+    building.place =
+        reading.places.one(section, {"place_m", "place"}, "place of the centre of its plan");
+    building.width = section.number("width_m", "width of its front", {0.5, 1000.0});
+    building.depth = section.number("depth_m", "depth from its front to its back", {0.5, 1000.0});
+    building.height =
+        section.number("height_m", "height above the ground at its centre", {0.5, 500.0});
     building.heading_deg = section.number_or(
-        "heading_deg", "the way its front faces, clockwise from north", 180.0, {-360.0, 360.0});
-    building.wall = section.name("wall", "of its walls", reading.materials);
+        "heading_deg", "direction of its front, clockwise from north", 180.0, {-360.0, 360.0});
+    building.wall = section.name("wall", "material of its walls", reading.materials);
     const Or<std::string> as_wall{building.wall, "wall"};
-    building.front = section.name_or("front", "of its front wall", as_wall, reading.materials);
-    building.roof = section.name_or("roof", "of its flat roof", as_wall, reading.materials);
+    building.front =
+        section.name_or("front", "material of its front wall", as_wall, reading.materials);
+    building.roof =
+        section.name_or("roof", "material of its flat roof", as_wall, reading.materials);
     return building;
 }
 
 GroundRule read_rule(const Section& rule, const Reading& reading) {
-    const auto slope = rule.numbers_or("slope_deg", "[least, most] of the ground it holds for",
-                                       std::vector{0.0, 90.0}, 2);
-    const auto height = rule.numbers_or("height_m", "[least, most] above the sea it holds for",
-                                        std::vector{-1e4, 1e4}, 2);
+    const auto slope =
+        rule.numbers_or("slope_deg", "[least, most] slope of the ground that it applies to",
+                        std::vector{0.0, 90.0}, 2);
+    const auto height =
+        rule.numbers_or("height_m", "[least, most] height above the sea that it applies to",
+                        std::vector{-1e4, 1e4}, 2);
     if (!(slope[0] < slope[1] && slope[0] >= -90.0 && slope[1] <= 90.0)) {
         rule.mistake("slope_deg", "expected [least, most] in ascending order, at most 90");
     }
     if (!(height[0] < height[1] && height[0] >= -1e5 && height[1] <= 1e5)) {
         rule.mistake("height_m", "expected [least, most] in ascending order, within 100000 m");
     }
-    return {.material = rule.name("material", "of such ground", reading.materials),
+    return {.material = rule.name("material", "material of this ground", reading.materials),
             .least_slope_deg = slope[0],
             .most_slope_deg = slope[1],
             .least_height = height[0],
@@ -184,27 +191,28 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
 void read_ground(const Section& section, Reading& reading, TerrainInput& terrain) {
     using Mesh = TerrainInput::Mesh;
     terrain.coarsest = section.number_or(
-        "coarsest_m", "the tolerance where no observer looks closely, a pixel at most",
+        "coarsest_m", "largest tolerance far from all observers; it grows with distance to at most one pixel",
         {0.0, "tolerance_m"}, {0.0, 1000.0});
     terrain.mesh = section.choice_or(
         "mesh",
-        "network: triangles within the tolerance; grid: every post; auto: every post where that "
-        "makes no more than half a million triangles",
+        "network: triangles within the tolerance; grid: every post; auto: every post if this gives "
+        "at most half a million triangles",
         Mesh::network,
         {{"network", Mesh::network}, {"grid", Mesh::grid}, {"auto", Mesh::grid_where_it_fits}});
-    terrain.default_material =
-        section.name("material", "of ground where nothing below says otherwise", reading.materials);
+    terrain.default_material = section.name(
+        "material", "material of ground that no table below covers", reading.materials);
     reading.texture(section, reading.texture_uses.of_object, "ground");
     for (const Section& rule : section.sections(
-             "rule", "ground of a slope and height is of a material; the first that fits wins")) {
+             "rule",
+             "material of ground by slope and height; the first rule that applies is used")) {
         terrain.rules.push_back(read_rule(rule, reading));
     }
     if (section.has("land_cover")) {
         for (const Section& cover : section.one_or_more_sections(
                  "land_cover",
-                 "classes of another raster, with a material for some; before the rules. Of "
-                 "several "
-                 "tables, [[terrain.land_cover]], the first that knows a material wins")) {
+                 "classes of a raster with materials for some of them; used before the rules. With "
+                 "several tables, [[terrain.land_cover]], the first that has a material for the "
+                 "class is used")) {
             terrain.land_cover.push_back(read_land_cover(cover, reading));
         }
     }
@@ -218,14 +226,14 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     terrain.elevation = std::move(elevation);
     read_ground(section, reading, terrain);
     for (const Section& polygon : root.sections(
-             "ground", "a piece of ground with a border of its own; later ones lie on top")) {
+             "ground", "a part of the ground with its own border; later ones lie on top")) {
         terrain.polygons.push_back(read_polygon(polygon, reading));
     }
     for (const Section& building : root.sections("building", "a box with a flat roof")) {
         terrain.buildings.push_back(read_building(building, reading));
     }
-    for (const Section& object : root.sections(
-             "object", "a mesh that stands on the ground, which is made fine around it")) {
+    for (const Section& object :
+         root.sections("object", "a mesh on the ground; the ground around it is refined")) {
         for (ObjectInput& one : read_object(object, reading)) {
             terrain.objects.push_back(std::move(one));
         }

@@ -16,26 +16,26 @@ constexpr double widest = 2.0;  // deviations that must fit between a parameter'
 void read_clutter(const Section& section, TextureInput& texture) {
     ClutterSpec clutter;
     clutter.length = section.number("correlation_length_m",
-                                    "where the correlation has fallen to 1/e", {0.01, 1e5});
+                                    "distance at which the correlation falls to 1/e", {0.01, 1e5});
     clutter.covariance = section.choice_or(
-        "covariance", "of the field over distance", Covariance::exponential,
+        "covariance", "correlation function of the field over distance", Covariance::exponential,
         {{"exponential", Covariance::exponential}, {"gaussian", Covariance::gaussian}});
     clutter.seed = static_cast<std::uint64_t>(
-        section.integer_or("seed", "another seed, another field", 1, {0, 1 << 30}));
+        section.integer_or("seed", "seed of the random field", 1, {0, 1 << 30}));
     texture.deviation = section.number(
-        "std", "deviation about the mean; values are cut at three of them and at 0 and 1",
+        "std", "standard deviation; values are cut off at three of them and at 0 and 1",
         {1e-6, 0.5});
     const bool mixture = texture.what == TextureInput::What::mixture;
     const double mean = section.number_or(
-        "mean", "of the values",
-        {mixture ? 0.5 : std::nan(""), "the material's own; of a mixture 0.5"}, {0.0, 1.0});
+        "mean", "mean of the values",
+        {mixture ? 0.5 : std::nan(""), "that of the material; 0.5 for a mixture"}, {0.0, 1.0});
     if (!std::isnan(mean)) texture.mean = mean;
     if (texture.mean) {
         const double room = std::min(*texture.mean, 1.0 - *texture.mean);
         if (widest * texture.deviation > room + 1e-12) {
             section.mistake("std",
-                            fmt::format("found {:g} about a mean of {:g}: more than a fortieth "
-                                        "would be cut off at 0 or 1, expected at most {:g}",
+                            fmt::format("found {:g} about a mean of {:g}: more than 2.5 % of "
+                                        "values would be cut off at 0 or 1, expected at most {:g}",
                                         texture.deviation, *texture.mean, room / widest));
         }
     }
@@ -57,7 +57,7 @@ void scale_values(const Section& section, const std::string& file, double scale,
         section.mistake("file", file + " has no values");
     } else if (least < -rounding || most > 1.0 + rounding) {
         section.mistake(
-            "scale", fmt::format("makes values from {:g} to {:g}, expected 0 to 1", least, most));
+            "scale", fmt::format("gives values from {:g} to {:g}, expected 0 to 1", least, most));
     }
 }
 
@@ -69,17 +69,20 @@ bool says_where(const Section& section) {
 void read_placing(const Section& section, const ScenePlaces& places, TextureInput& texture) {
     if (section.has("metres_per_texel")) {
         texture.metres_per_texel = section.number(
-            "metres_per_texel", "of a picture that its file does not place on Earth", {1e-4, 1e5});
-        const auto place = section.numbers_or(
-            "place_m",
-            "with metres_per_texel: [east, north] of its middle; on an object from that's",
-            std::vector{0.0, 0.0}, 2);
+            "metres_per_texel", "size of a texel, for a picture without georeference", {1e-4, 1e5});
+        const auto place =
+            section.numbers_or("place_m",
+                               "with metres_per_texel: [east, north] of the picture's centre; on "
+                               "an object from that object's centre",
+                               std::vector{0.0, 0.0}, 2);
         texture.place = {place[0], place[1]};
         if (section.has("place")) {
-            texture.place = places.one(section, {"place_m", "place"}, "of its middle");
+            texture.place =
+                places.one(section, {"place_m", "place"}, "place of the picture's centre");
         }
         texture.heading_deg = section.number_or(
-            "heading_deg", "with metres_per_texel: the way its upper edge looks, from north", 0.0,
+            "heading_deg",
+            "with metres_per_texel: direction of the picture's upper edge, from north", 0.0,
             {-360.0, 360.0});
     } else if (says_where(section)) {
         section.mistake("metres_per_texel", "missing, but place_m and heading_deg need it");
@@ -88,16 +91,16 @@ void read_placing(const Section& section, const ScenePlaces& places, TextureInpu
 
 void read_image(const Section& section, const ScenePlaces& places, TextureInput& texture) {
     texture.file =
-        section.file("file", "a picture whose texels say the value: GeoTIFF, PNG, JPEG, ENVI, ...");
+        section.file("file", "picture whose texels are the values: GeoTIFF, PNG, JPEG, ENVI, ...");
     const std::string name = texture.file.filename().string();
-    const int channel = section.integer_or("channel", "of the picture", 1, {1, 1000});
+    const int channel = section.integer_or("channel", "band of the picture", 1, {1, 1000});
     const double scale = section.number_or("scale", "value = scale * texel + offset", 1.0);
     const double offset = section.number_or("offset", "value = scale * texel + offset", 0.0);
     texture.nearest =
-        section.choice_or("sampling", "between texels: straight, or the nearest one's", false,
+        section.choice_or("sampling", "interpolation between texels: linear, or nearest", false,
                           {{"linear", false}, {"nearest", true}});
     texture.repeat = section.flag_or(
-        "repeat", "the picture again and again; else the material's own around it", false);
+        "repeat", "repeat the picture; false: use the material's own value around it", false);
     read_placing(section, places, texture);
     if (texture.file.empty()) return;
     try {
@@ -107,8 +110,7 @@ void read_image(const Section& section, const ScenePlaces& places, TextureInput&
         return;
     }
     if (texture.metres_per_texel == 0.0 && !texture.image.georeferenced && !says_where(section)) {
-        section.mistake("metres_per_texel",
-                        "missing, and " + name + " does not say where on Earth it lies");
+        section.mistake("metres_per_texel", "missing, and " + name + " has no georeference");
     }
     scale_values(section, name, scale, offset, texture.image.value);
 }
@@ -134,22 +136,23 @@ std::array<std::string, 2> read_between(const Section& section, const Reading& r
 TextureInput read_texture(const Section& section, const Reading& reading) {
     using What = TextureInput::What;
     TextureInput texture;
-    texture.name = section.text("name", "by which `texture` names it");
+    texture.name = section.text("name", "name by which `texture` selects it");
     texture.where = section.where();
     texture.what = section.choice_or(
-        "what", "what varies from place to place", What::albedo,
+        "what", "the quantity that varies over the surface", What::albedo,
         {{"albedo", What::albedo}, {"emissivity", What::emissivity}, {"mixture", What::mixture}});
     if (texture.what == What::mixture) {
         texture.between = read_between(section, reading);
     } else {
         texture.levels = section.integer_or(
-            "levels", "at which a facet is solved, each with its own heat balance",
+            "levels",
+            "number of values for which each facet is solved, each with its own heat balance",
             {0, "one for every 0.3 of albedo, 0.2 of emissivity"}, {2, 33});
     }
     // Without kind: what the keys say.
     const std::string kind =
         section.word_or("kind", "a picture, or a random field",
-                        {section.has("file") ? "raster" : "clutter", "raster where file is given"},
+                        {section.has("file") ? "raster" : "clutter", "raster if file is given"},
                         {"raster", "clutter"});
     if (kind == "raster") {
         read_image(section, reading.places, texture);
@@ -164,7 +167,7 @@ TextureInput read_texture(const Section& section, const Reading& reading) {
 std::vector<TextureInput> read_textures(const Section& root, const Reading& reading) {
     std::vector<TextureInput> textures;
     for (const Section& section : root.sections(
-             "texture", "a surface that varies from place to place: a random field or a picture")) {
+             "texture", "a surface property that varies in space: a random field or a picture")) {
         TextureInput texture = read_texture(section, reading);
         if (std::any_of(textures.begin(), textures.end(),
                         [&](const TextureInput& other) { return other.name == texture.name; })) {

@@ -29,9 +29,9 @@ std::optional<Instant> instant_of(const Section& section, const std::string& key
 void read_spin_up(const Section& section, TimeInput& time) {
     time.spin_up = section.choice_or(
         "spin_up",
-        "what went before: the weather of the days before (default where the file has them), the "
-        "first 24 hours repeated without their trend (default else), the balance of the first "
-        "day's mean, or the state that an earlier run left (default where state is given)",
+        "start of the heat balance: weather of the days before (default if the file has them), the "
+        "first 24 hours repeated without their trend (default otherwise), the balance of the first "
+        "day's mean, or the saved state of an earlier run (default if state is given)",
         SpanStart::known,
         {{"auto", SpanStart::known},
          {"weather", SpanStart::weather},
@@ -39,15 +39,16 @@ void read_spin_up(const Section& section, TimeInput& time) {
          {"steady", SpanStart::steady},
          {"state", SpanStart::state}});
     const std::string state = section.text_or(
-        "state", "file of an earlier run of this scene with output.state, that ended at start", "");
+        "state", "state file of an earlier run of this scene with output.state that ended at start",
+        "");
     if (state.empty()) {
         if (time.spin_up == SpanStart::state) {
-            section.mistake("spin_up", "goes on from a state, but no file is given as state");
+            section.mistake("spin_up", "needs a state file, but the key state is missing");
         }
         return;
     }
     if (time.spin_up != SpanStart::known && time.spin_up != SpanStart::state) {
-        section.mistake("state", "stands beside a spin_up that does not go on from it");
+        section.mistake("state", "cannot be combined with a spin_up other than \"state\"");
     }
     time.spin_up = SpanStart::state;
     time.state = section.file_named("state", state);
@@ -58,33 +59,35 @@ void read_spin_up(const Section& section, TimeInput& time) {
 
 TimeInput read_time(const Section& section, const std::optional<Site>& site) {
     TimeInput time;
-    const std::string said = section.moment("start", "of the span, with its offset from UTC");
+    const std::string said = section.moment("start", "start of the span, with its UTC offset");
     const auto start = instant_of(section, "start", said);
     if (start) time.start = *start;
     time.utc_offset = utc_offset_of(said);
-    const double hours = section.number_or("duration_h", "of the span, minutes to a year", 24.0,
-                                           {1.0 / 60.0, longest_hours});
+    const double hours = section.number_or("duration_h", "length of the span, minutes to a year",
+                                           24.0, {1.0 / 60.0, longest_hours});
     time.duration = 3600.0 * hours;
     if (section.has("end")) {
-        const auto end =
-            instant_of(section, "end", section.moment("end", "of the span, for duration_h"));
+        const auto end = instant_of(
+            section, "end", section.moment("end", "end of the span, instead of duration_h"));
         if (section.has("duration_h")) {
-            section.mistake("end", "stands beside duration_h, expected one of the two");
+            section.mistake("end", "cannot be combined with duration_h");
         } else if (end && start) {
             time.duration = seconds_between(*start, *end);
             if (!(time.duration >= 60.0 && time.duration <= 3600.0 * longest_hours)) {
-                section.mistake("end", fmt::format("lies {:g} h after start, expected a minute to "
-                                                   "{:g} h",
-                                                   time.duration / 3600.0, longest_hours));
+                section.mistake("end",
+                                fmt::format("is {:g} h after start, expected a minute to {:g} h",
+                                            time.duration / 3600.0, longest_hours));
                 time.duration = time_day;
             }
         }
     }
     time.step = section.number_or(
-        "step_s", "of the heat balance, rounded so that steps fill each day", 600.0, {1.0, 3600.0});
+        "step_s", "step of the heat balance, rounded so that a whole number of steps fills a day",
+        600.0, {1.0, 3600.0});
     read_spin_up(section, time);
     time.days_before = section.integer_or(
-        "spin_up_days", "days of weather before the start, at most; the first of them repeated", 3,
+        "spin_up_days",
+        "largest number of days of weather before the start; the first of them is repeated", 3,
         {1, 366});
     Frames frames = read_frames(section, {.begin = time.start,
                                           .end = time.end(),

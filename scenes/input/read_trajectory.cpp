@@ -16,9 +16,9 @@ namespace {
 constexpr double fastest_object = 1e4;  // [m/s]
 
 constexpr const char* file_says =
-    "CSV in place of waypoints_m: time_s or time (ISO 8601); east_m, north_m or latitude_deg, "
-    "longitude_deg; height_m; and, unless it faces its way, heading_deg, pitch_deg, roll_deg or "
-    "qw, qx, qy, qz (of its right, forward, up to east, north, up)";
+    "CSV file instead of waypoints_m: time_s or time (ISO 8601); east_m, north_m or latitude_deg, "
+    "longitude_deg; height_m; and, unless the front is the direction of motion, heading_deg, "
+    "pitch_deg, roll_deg or qw, qx, qy, qz (of its right, forward, up to east, north, up)";
 
 void read_file(const Section& section, TrajectoryInput& input) {
     input.file = section.file("file", file_says);
@@ -26,7 +26,7 @@ void read_file(const Section& section, TrajectoryInput& input) {
     try {
         WayLog log = read_way_log(input.file);
         if (section.has("start") && log.start) {
-            section.mistake("start", "stands beside a file whose column time says it");
+            section.mistake("start", "cannot be combined with a file that has a column time");
         }
         if (log.start) input.start = *log.start;
         input.way = std::move(log.way);
@@ -51,12 +51,12 @@ void read_waypoint_places(const Section& section, const ScenePlaces& places,
         return;
     }
     if (section.has("waypoints_m")) {
-        section.mistake("waypoints_m", "stands beside waypoints, expected one of the two");
+        section.mistake("waypoints_m", "cannot be combined with waypoints");
     }
     const std::vector<std::vector<double>> rows = section.rows(
         "waypoints",
-        "in place of waypoints_m: [[latitude, longitude, height], ...], or as place_crs says", 3,
-        2);
+        "[[latitude, longitude, height], ...] instead of waypoints_m, or in the CRS of place_crs",
+        3, 2);
     const std::vector<Geodetic> found = places.geodetic(section, "waypoints", rows);
     bool sound = !section.has_mistakes();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -74,14 +74,14 @@ void read_waypoints(const Section& section, const ScenePlaces& places, Trajector
     const std::size_t count = input.way.place.size();
     if (section.has("speed_m_s")) {
         input.way.seconds = seconds_at_speed(
-            input.way.place, section.number("speed_m_s", "all the way, in place of times_s",
+            input.way.place, section.number("speed_m_s", "constant speed, instead of times_s",
                                             {0.01, fastest_object}));
         if (section.has("times_s")) {
-            section.mistake("times_s", "stands beside speed_m_s, expected one of the two");
+            section.mistake("times_s", "cannot be combined with speed_m_s");
         }
     } else {
         input.way.seconds =
-            section.numbers("times_s", "of the waypoints, from `start` on; or speed_m_s");
+            section.numbers("times_s", "times of the waypoints after `start`; or give speed_m_s");
         if (input.way.seconds.size() != count && !section.has_mistakes()) {
             section.mistake("times_s", fmt::format("has {} numbers for {} waypoints",
                                                    input.way.seconds.size(), count));
@@ -91,13 +91,12 @@ void read_waypoints(const Section& section, const ScenePlaces& places, Trajector
         if (!(input.way.seconds[i] <= input.way.seconds[i - 1])) continue;
         if (section.has("speed_m_s")) {
             section.mistake(waypoints_key(section),
-                            fmt::format("number {} is where number {} is, expected another place "
-                                        "of one that goes at a speed",
+                            fmt::format("waypoint {} has the place of waypoint {}, which a "
+                                        "constant speed does not permit",
                                         i + 1, i),
-                            "with times_s in place of speed_m_s it rests there");
+                            "use times_s instead of speed_m_s for a stop");
         } else {
-            section.mistake("times_s",
-                            fmt::format("number {} is not later than number {}", i + 1, i));
+            section.mistake("times_s", fmt::format("time {} is not later than time {}", i + 1, i));
         }
         break;
     }
@@ -117,8 +116,9 @@ void check_way(const Section& section, TrajectoryInput& input) {
         return;
     }
     if (way.smooth && way.place.size() < 3) {
-        section.mistake("curve", fmt::format("has {} places, expected 3 or more of a smooth curve",
-                                             way.place.size()));
+        section.mistake(
+            "curve",
+            fmt::format("has {} places, expected at least 3 for a smooth curve", way.place.size()));
         way.smooth = false;
     }
     if (input.geodetic) return;
@@ -126,9 +126,9 @@ void check_way(const Section& section, TrajectoryInput& input) {
         const double speed =
             (way.place[i] - way.place[i - 1]).norm() / (way.seconds[i] - way.seconds[i - 1]);
         if (speed <= fastest_object) continue;
-        section.mistake(key, fmt::format("goes at {:.0f} m/s from row {} to row {}, expected at "
-                                         "most {:g}",
-                                         speed, i, i + 1, fastest_object));
+        section.mistake(
+            key, fmt::format("moves at {:.0f} m/s from row {} to row {}, expected at most {:g} m/s",
+                             speed, i, i + 1, fastest_object));
         break;
     }
 }
@@ -137,37 +137,37 @@ TrajectoryInput read_trajectory(const Section& section, const TimeInput& time,
                                 const ScenePlaces& places) {
     TrajectoryInput input;
     input.where = section.where();
-    input.name = section.text("name", "by which observers and objects name it");
+    input.name = section.text("name", "name by which observers and objects refer to it");
     input.start = time.start;
     if (section.has("start")) {
-        const std::string said =
-            section.moment("start", "of second 0; else the span's, or the file's first");
+        const std::string said = section.moment(
+            "start", "instant of second 0; default: start of the span, or the file's first time");
         try {
             input.start = parse_instant(said, "start");
         } catch (const InputError& error) {
             section.mistake("start", error.mistakes().front().problem);
         }
     }
-    input.heights = section.choice_or(
-        "heights",
-        "what its heights are above: the ground beneath at every instant, the sea, or the "
-        "ellipsoid of WGS84, as GPS has them",
-        HeightOver::ground,
-        {{"ground", HeightOver::ground},
-         {"sea", HeightOver::sea},
-         {"ellipsoid", HeightOver::ellipsoid}});
+    input.heights = section.choice_or("heights",
+                                      "zero of its heights: the ground below at every instant, the "
+                                      "sea, or the WGS84 ellipsoid as given by GPS",
+                                      HeightOver::ground,
+                                      {{"ground", HeightOver::ground},
+                                       {"sea", HeightOver::sea},
+                                       {"ellipsoid", HeightOver::ellipsoid}});
     if (section.has("file")) {
         read_file(section, input);
         for (const char* key : {"waypoints_m", "waypoints", "times_s", "speed_m_s"}) {
-            if (section.has(key)) section.mistake(key, "stands beside file, which says it");
+            if (section.has(key))
+                section.mistake(key, "cannot be combined with file, which gives it");
         }
     } else {
         read_waypoints(section, places, input);
     }
-    input.way.smooth = section.choice_or(
-        "curve",
-        "between places: straight at even speed, or smooth, a cubic, through three or more", false,
-        {{"straight", false}, {"smooth", true}});
+    input.way.smooth = section.choice_or("curve",
+                                         "interpolation between places: straight at constant "
+                                         "speed, or smooth, a cubic curve through three or more",
+                                         false, {{"straight", false}, {"smooth", true}});
     check_way(section, input);
     if (input.way.smooth && section.has("speed_m_s") && !section.has("file")) {
         const double speed =
@@ -184,7 +184,7 @@ std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeIn
                                                const ScenePlaces& places) {
     std::vector<TrajectoryInput> ways;
     for (const Section& section :
-         root.sections("trajectory", "a way that observers and objects go")) {
+         root.sections("trajectory", "a trajectory of observers and objects")) {
         TrajectoryInput way = read_trajectory(section, time, places);
         if (find_trajectory(ways, way.name) != nullptr) {
             section.mistake("name", fmt::format("another trajectory is named \"{}\"", way.name));

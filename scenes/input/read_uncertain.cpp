@@ -5,13 +5,13 @@
 namespace diurna {
 
 std::string read_uncertain_key(const Section& section) {
-    const std::string key = section.text("key", "its path: \"weather.changed.wind_factor\"");
+    const std::string key = section.text("key", "path of the key: \"weather.changed.wind_factor\"");
     for (const char* own :
          {"crossover", "sweep", "detection", "signature", "observer", "contrast", "sensitivity"}) {
         if (!key.starts_with(std::string(own) + ".")) continue;
-        section.mistake("key", fmt::format("found a key of [{}], expected one that light or heat "
-                                           "depend on",
-                                           own));
+        section.mistake(
+            "key", fmt::format(
+                       "found a key of [{}], expected one that affects light or temperature", own));
     }
     return key;
 }

@@ -22,18 +22,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* material_says = "a material by this name, with the keys of the third chapter";
+constexpr const char* material_says =
+    "a material of this name, with the keys of the section Materials";
 
 std::optional<Site> read_site(const Section& section) {
     const bool north = section.has("latitude_deg"), east = section.has("longitude_deg");
     if (!north && !east) return std::nullopt;
-    return Site{
-        .latitude_deg =
-            section.number("latitude_deg", "north, WGS84; with longitude_deg", {-90.0, 90.0}),
-        .longitude_deg =
-            section.number("longitude_deg", "east, WGS84; with latitude_deg", {-180.0, 180.0}),
-        .height = section.number_or("height_m", "of the frame's origin, as the raster's",
-                                    {std::nan(""), "the ground's there"}, {-500.0, 9000.0})};
+    return Site{.latitude_deg = section.number(
+                    "latitude_deg", "latitude north, WGS84; with longitude_deg", {-90.0, 90.0}),
+                .longitude_deg = section.number(
+                    "longitude_deg", "longitude east, WGS84; with latitude_deg", {-180.0, 180.0}),
+                .height = section.number_or(
+                    "height_m", "height of the frame's origin, in the raster's datum",
+                    {std::nan(""), "height of the ground there"}, {-500.0, 9000.0})};
 }
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
@@ -55,23 +56,24 @@ void read_heights(const Section& section, const AirInput& air, WeatherInput& wea
 /// Names, and how finely the scene is sampled.
 void read_about(const Section& about, Scene& scene) {
     const std::string folder = scene.file.parent_path().filename().string();
-    scene.name = about.text_or("name", "of the scene", {folder, "its folder's name"});
-    scene.title = about.text_or("title", "of the report", {scene.name, "name"});
-    scene.seed = static_cast<std::uint64_t>(
-        about.integer_or("seed", "of all that is drawn at random but textures", 1, {0, 1 << 30}));
+    scene.name = about.text_or("name", "name of the scene", {folder, "the name of its folder"});
+    scene.title = about.text_or("title", "title of the report", {scene.name, "name"});
+    scene.seed = static_cast<std::uint64_t>(about.integer_or(
+        "seed", "seed of all random numbers except those of textures", 1, {0, 1 << 30}));
     scene.sky_rays = about.integer_or(
-        "sky_rays", "to the sky, for each facet of the ground; near objects 2 to 32 times as many",
+        "sky_rays", "rays to the sky per facet of the ground; near objects 2 to 32 times as many",
         64, {16, 4096});
     scene.object_sky_rays = about.integer_or(
-        "object_sky_rays", "to the sky, for each facet of buildings and objects", 256, {16, 4096});
-    scene.sun_samples = about.integer_or("sun_samples",
-                                         "rays to the sun's disc, for each facet and instant; four "
-                                         "times as many where a shadow's edge may pass",
-                                         4, {1, 256});
+        "object_sky_rays", "rays to the sky per facet of buildings and objects", 256, {16, 4096});
+    scene.sun_samples = about.integer_or(
+        "sun_samples",
+        "rays to the sun's disc per facet and instant; four times as many near shadow edges", 4,
+        {1, 256});
     scene.check_points = about.integer_or(
         "check_points",
-        "places in pictures that are solved by themselves, each with its own sun, sky and "
-        "surroundings by 4096 rays; the run reports how far its facets are from them; 0: none",
+        "places in pictures that are solved separately, each with its own sun, sky and "
+        "surroundings "
+        "by 4096 rays; the run reports how far its facets differ from them; 0: none",
         128, {0, 4096});
 }
 
@@ -144,20 +146,23 @@ Scene read_scene(const Document& document) {
     note_file_read(scene.file);
     const Section root = document.root();
     scene.confines = document.confines();
-    read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
-    scene.tolerance = root.number_or(
-        "tolerance_K",
-        "rms, that pictures may be worse by where facets stand for others that no picture sees and "
-        "whose heat none feels; 0: every facet is solved. temperatures.nc has what they stand for",
-        0.0, {0.0, 10.0});
+    read_about(root.section("scene", "name and sampling of the scene"), scene);
+    scene.tolerance =
+        root.number_or("tolerance_K",
+                       "allowed rms error of a picture; facets that are neither visible nor "
+                       "thermally coupled to visible ones reuse a representative's temperature; 0: "
+                       "every facet is solved. temperatures.nc names the representatives",
+                       0.0, {0.0, 10.0});
     const Section site =
-        root.section("site", "origin of the east-north-up frame; else the middle of the raster");
+        root.section("site", "origin of the east-north-up frame; default: centre of the raster");
     scene.site = read_site(site);
-    const Section terrain = root.required_section("terrain", "elevation, and what covers it");
+    const Section terrain =
+        root.required_section("terrain", "elevation of the ground and its materials");
     const ElevationInput elevation = read_elevation_keys(terrain, scene.site);
     Reading reading{.places{site, terrain, scene.site, elevation}};
     const Section materials = root.section(
-        "material", "materials of the scene's own, which may stand in for the library's");
+        "material",
+        "additional materials of the scene; one with a name of the library replaces that material");
     read_materials(materials, scene, reading);
     scene.textures = read_textures(root, reading);
     for (const TextureInput& texture : scene.textures) {
@@ -167,18 +172,19 @@ Scene read_scene(const Document& document) {
         reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
                         name);
     }
-    scene.time =
-        read_time(root.required_section("time", "the span, its steps and pictures"), scene.site);
+    scene.time = read_time(root.required_section("time", "span, steps and pictures"), scene.site);
     scene.trajectories = read_trajectories(root, scene.time, reading.places);
     for (const TrajectoryInput& way : scene.trajectories) {
         reading.trajectories.known.push_back(way.name);
     }
     scene.terrain = read_terrain(terrain, root, reading, elevation);
-    const Section weather = root.required_section("weather", "what drives the heat balance");
+    const Section weather =
+        root.required_section("weather", "weather that drives the heat balance");
     scene.weather = read_weather_input(weather, reading);
     const Section sky = root.section("sky", sky_says);
     scene.sky = read_sky(sky);
-    const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
+    const Section atmosphere =
+        root.section("atmosphere", "the atmosphere between surface and observer");
     scene.air = read_air(atmosphere);
     take_haze(scene.air, sky, scene.sky);
     for (const char* key : {"aerosol_380nm", "aerosol_500nm", "ozone_cm", "precipitable_water_cm",
@@ -187,9 +193,8 @@ Scene read_scene(const Document& document) {
     }
     read_heights(weather, scene.air, scene.weather);
     scene.output =
-        read_output(root.section("output", "what a run writes beside temperatures and pictures"));
-    scene.labels = read_labels(
-        root.section("labels", "pictures and labels for programs that learn from them"));
+        read_output(root.section("output", "additional output besides temperatures and pictures"));
+    scene.labels = read_labels(root.section("labels", "pictures and labels for machine learning"));
     scene.bands = read_bands(root);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading.places);
@@ -213,10 +218,11 @@ Scene read_scene(const Document& document) {
             [&](const ObserverInput& other) { return picture_name(other) == picture_name(input); });
         if (same != scene.observers.end() && !input.name.empty()) {
             observer.mistake(
-                "name", same->name == input.name
-                            ? fmt::format("a second observer named \"{}\"", input.name)
-                            : fmt::format("the pictures of \"{}\" and \"{}\" would have one name",
-                                          same->name, input.name));
+                "name",
+                same->name == input.name
+                    ? fmt::format("the observer name \"{}\" is used twice", input.name)
+                    : fmt::format("the pictures of \"{}\" and \"{}\" would have the same names",
+                                  same->name, input.name));
         }
         scene.observers.push_back(std::move(input));
     }
@@ -235,7 +241,7 @@ Scene read_scene(const Document& document) {
     scene.sensitivities = read_sensitivities(root, scene.terrain, scene.materials.names(),
                                              scene.bands, scene.observers, scene.time);
     scene.sweep = read_sweep(
-        root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
+        root.section("sweep", "variants of the scene, which `diurna run` computes instead of it"));
     scene.texture_uses = std::move(reading.texture_uses);
     const std::vector<SeenRange> seen = seen_ranges(scene);
     check_table_bands(atmosphere, scene.air, seen);

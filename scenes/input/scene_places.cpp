@@ -17,10 +17,10 @@ namespace {
 
 constexpr double furthest_place = 1e6;  // [m] from the site
 constexpr const char* crs_says =
-    "of the places of this table that are not in metres of the site: EPSG:32616, ...; of a "
-    "geographic one [latitude, longitude], of a projected one [easting, northing]";
+    "CRS of the places of this table that are not in metres: EPSG:32616, ...; [latitude, "
+    "longitude] for geographic ones, [easting, northing] for projected ones";
 constexpr const char* crs_of_all_says =
-    "of all places that are not in metres of the site and have none of their own: EPSG:32616, ...";
+    "CRS of all places that are not in metres and have no CRS of their own: EPSG:32616, ...";
 constexpr const char* wgs84_said = "WGS84: [latitude, longitude]";
 
 /// Whether what is read while it lives is a mistake of a section that had none: of what it would
@@ -41,8 +41,9 @@ std::string crs_under(const Section& section, const char* says, const Or<std::st
     if (!section.has("place_crs") || is_crs(crs)) return crs;
     section.mistake(
         "place_crs",
-        fmt::format("found \"{}\", no horizontal coordinate reference system that PROJ knows", crs),
-        "such as \"EPSG:32616\", UTM zone 16 north");
+        fmt::format("found \"{}\", not a horizontal coordinate reference system known to PROJ",
+                    crs),
+        "for example \"EPSG:32616\", UTM zone 16 north");
     return "";
 }
 
@@ -87,12 +88,13 @@ struct ScenePlaces::State {
         at.height = height_of(at, height);
         const Eigen::Vector3d place = to_local(here->site, at);
         if (place.norm() <= furthest_place) return place.head<2>();
-        section.mistake(key,
-                        fmt::format("latitude {:.5g}, longitude {:.5g} lies {:.0f} km from the "
-                                    "site at {:.5g}, {:.5g}",
-                                    at.latitude_deg, at.longitude_deg, 1e-3 * place.norm(),
-                                    here->site.latitude_deg, here->site.longitude_deg),
-                        "latitude comes before longitude, easting before northing");
+        section.mistake(
+            key,
+            fmt::format(
+                "latitude {:.5g}, longitude {:.5g} is {:.0f} km from the site at {:.5g}, {:.5g}",
+                at.latitude_deg, at.longitude_deg, 1e-3 * place.norm(), here->site.latitude_deg,
+                here->site.longitude_deg),
+            "latitude comes before longitude, easting before northing");
         return Eigen::Vector2d::Zero();
     }
 };
@@ -126,9 +128,9 @@ std::vector<Geodetic> ScenePlaces::geodetic(const Section& section, const char* 
             fmt::format("found [{:.10g}, {:.10g}]", given[i].x(), given[i].y());
         if (crs.empty()) {
             section.mistake(mapped, found + ", expected [latitude, longitude] in degrees",
-                            "place_crs = \"EPSG:...\" beside it for other coordinates");
+                            "use place_crs = \"EPSG:...\" for other coordinates");
         } else {
-            section.mistake(mapped, fmt::format("{}, no place that {} reaches", found, crs));
+            section.mistake(mapped, fmt::format("{} is not a place that {} covers", found, crs));
         }
     }
     return places;
@@ -153,11 +155,10 @@ Eigen::Vector2d ScenePlaces::one(const Section& section, const PlaceKeys& keys, 
         return {at[0], at[1]};
     }
     if (section.has(keys.metres)) {
-        section.mistake(keys.metres,
-                        fmt::format("stands beside {}, expected one of the two", keys.mapped));
+        section.mistake(keys.metres, fmt::format("cannot be combined with {}", keys.mapped));
     }
     const std::string on_map =
-        fmt::format("in place of {}: [latitude, longitude], or as place_crs says", keys.metres);
+        fmt::format("[latitude, longitude] instead of {}, or in the CRS of place_crs", keys.metres);
     const Watched watched(section);
     const std::vector<double> at = section.numbers(keys.mapped, on_map.c_str(), 2);
     const bool wrong = watched.went_wrong();

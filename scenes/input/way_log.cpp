@@ -69,7 +69,7 @@ void Reader::check_columns() const {
         if (!has(one) || !has(other)) continue;
         throw InputError(
             table.path.string(),
-            fmt::format("has columns '{}' and '{}', expected one of the two", one, other));
+            fmt::format("has columns '{}' and '{}', expected only one of them", one, other));
     }
     for (const auto& [part, of] : together) {
         if (!has(part) || has(of)) continue;
@@ -87,7 +87,7 @@ void Reader::read_places() const {
         if (log.geodetic && !(std::abs(at.y()) <= 90.0 && std::abs(at.x()) <= 360.0)) {
             throw InputError(
                 table.where(row, place[1]),
-                fmt::format("latitude {:g}, longitude {:g} is no place", at.y(), at.x()));
+                fmt::format("latitude {:g}, longitude {:g} is not a place", at.y(), at.x()));
         }
         log.way.place.push_back(at);
     }
@@ -113,7 +113,7 @@ void Reader::read_times() const {
             seconds.push_back(table.number(row, column));
         }
         if (row > 0 && !(seconds[row] > seconds[row - 1])) {
-            throw InputError(where, fmt::format("found {}, not later than the row before",
+            throw InputError(where, fmt::format("found {}, not later than the previous row",
                                                 table.rows[row][column]));
         }
     }
@@ -151,7 +151,7 @@ void Reader::read_attitudes() const {
 WayLog read_way_log(const std::filesystem::path& file) {
     const CsvTable table = read_csv(file);
     if (table.rows.size() < 2) {
-        throw InputError(file.string(), "has fewer than two rows, expected a way");
+        throw InputError(file.string(), "has fewer than two rows, expected a trajectory");
     }
     WayLog log;
     log.geodetic = table.has("latitude_deg") || table.has("longitude_deg");

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "materials/base/article.hpp"
+
 namespace diurna {
 
 namespace {
@@ -13,12 +15,12 @@ namespace {
 constexpr const char* preface =
     R"md(# The keys of scene files, column files and materials
 
-Printed by `diurna keys` from what the readers themselves say of every key they ask for; `diurna keys --schema` prints
-the same as a JSON Schema, which editors of TOML check and complete by. A heading is the path of a table: `[a.b]` stands
-once, `[[a.b]]` as often as wanted, and where a heading has `NAME` the file's author gives a name. Units are those of a
-key's suffix. Places are east and north of the site, headings clockwise from north. "required": its absence is a
-mistake; "(required)": in some cases, which its line tells. `diurna check SCENE` names every mistake of a file with its
-place and the nearest key.
+Printed by `diurna keys` from the descriptions in the program; `diurna keys --schema` prints a JSON Schema, with which
+editors of TOML check and complete keys. A heading is the path of a table: `[a.b]` occurs once, `[[a.b]]` any number of
+times; the author of the file chooses the name where a heading has `NAME`. The suffix of a key gives its unit. Places are
+metres east and north of the site, headings clockwise from north. "required": the key must be present; "(required)": in
+the cases that the description names. `diurna check SCENE` reports every error of a file with its place and the nearest
+key.
 )md";
 
 /// "[[terrain.rule]]" of "terrain.rule[]".
@@ -41,13 +43,13 @@ std::string type_of(const KeyEntry& entry) {
         case Key::Kind::text:
             return "text";
         case Key::Kind::name:
-            return "name of a " + entry.words.front();
+            return "name of " + with_article(entry.words.front());
         case Key::Kind::word:
             return "word";
         case Key::Kind::flag:
             return "true or false";
         case Key::Kind::moment:
-            return "moment";
+            return "instant";
         case Key::Kind::numbers:
             return entry.count == 0 ? "numbers" : fmt::format("{} numbers", entry.count);
         case Key::Kind::texts:
@@ -139,8 +141,8 @@ std::string keys_page(const KeyBook& book) {
     out += "\n## Column files\n" + chapter(book.column, "");
     out +=
         "\n## Materials\n\nThe keys of `[material.NAME]` in a scene, of `[material]` in a column "
-        "file and of `[NAME]` in a library such as\n`materials/library.toml`, where the values of "
-        "the program's own materials stand with their sources.\n";
+        "file and of `[NAME]` in a library such as\n`materials/library.toml`, which has "
+        "the values of the program's materials with their sources.\n";
     out += chapter(book.material, "NAME");
     return out;
 }

@@ -73,11 +73,11 @@ OrderedJson label_json(const LabelBook& book, const LabelledPicture& picture, co
 std::string grey_picture_words() {
     return "Value of a pixel = scale.zero + scale.step * count, in scale.unit. 8 bits (labels.bits "
            "= 8, the default): each picture has its own scale, from percentile 1 to percentile 99 "
-           "of the pixels that see a surface; what is beyond has count 0 or 255 "
-           "(scale.pixels_beyond), and the EXR (planes) has its value. 16 bits (labels.bits = 16): "
-           "0.01 K a count from 0 K in every picture; most viewers show them black, and readers "
-           "that keep the upper 8 bits leave 2 to 10 grey levels: to see them, stretch "
-           "scale.display_counts to black and white.";
+           "of the pixels that see a surface; values outside the scale have count 0 or 255 "
+           "(scale.pixels_beyond), and the EXR (planes) has the true values. 16 bits (labels.bits "
+           "= 16): 0.01 K per count from 0 K in every picture; most viewers show these pictures "
+           "black, and programs that read only the upper 8 bits get 2 to 10 grey levels: to see "
+           "them, stretch scale.display_counts to black and white.";
 }
 
 std::string coco_json(const LabelBook& book, const std::vector<const LabelledPicture*>& pictures) {

@@ -53,8 +53,8 @@ FrameRange frames_named(const std::string& text) {
         return {.from = parse_instant(first, option), .to = parse_instant(last, option)};
     } catch (const InputError&) {
         throw InputError(option,
-                         fmt::format("found 'frames={}', expected hours of the day as 05:00..09:00 "
-                                     "or instants as 2026-07-15T06:00:00-04:00",
+                         fmt::format("found 'frames={}', expected hours of the day such as "
+                                     "05:00..09:00 or instants such as 2026-07-15T06:00:00-04:00",
                                      text.substr(0, 60)));
     }
 }
@@ -119,8 +119,9 @@ void keep_bands(const std::vector<std::string>& names, ObserverInput& observer) 
     if (observer.adaptive && !observer.bands.empty() && observer.bands.size() < before) {
         throw InputError(
             option,
-            fmt::format("the samples of \"{}\" go by what all its bands need", observer.name),
-            "choose no band of an adaptive observer");
+            fmt::format("observer \"{}\" chooses its samples from all of its bands (adaptive)",
+                        observer.name),
+            "render all bands of an adaptive observer");
     }
     if (observer.bands.empty() && observer.cubes.empty()) observer.frames.clear();
 }
@@ -147,9 +148,9 @@ void check_memory(const Scene& scene, const ObserverInput& whole, const Observer
         const double offset = scene.time.utc_offset;
         throw InputError(
             option,
-            fmt::format("the bolometer of \"{}\" remembers at {} its picture of {}", whole.name,
-                        format_local(now, offset), format_local(before, offset)),
-            "choose that one, too");
+            fmt::format("the bolometer of \"{}\" at {} depends on its picture at {} (thermal lag)",
+                        whole.name, format_local(now, offset), format_local(before, offset)),
+            "add that picture to the choice");
     }
 }
 
@@ -210,8 +211,8 @@ std::vector<ObserverInput> chosen_pictures(const Scene& scene, const PictureChoi
     if (left == 0 && !choice.only.empty()) {
         throw InputError(
             option,
-            fmt::format("no picture of the scene is of {}", fmt::join(choice.only, " and ")),
-            "diurna plan tells when pictures are taken");
+            fmt::format("no picture of the scene matches {}", fmt::join(choice.only, " and ")),
+            "diurna plan lists the instants of the pictures");
     }
     if (!choice.shard.all()) keep_shard(scene, choice.shard, chosen);
     return chosen;

@@ -66,11 +66,11 @@ DrawnAspect drawn_aspect(const Observer& camera, const Around& around, const Wor
         taken = other;
     }
     const std::string why =
-        first ? fmt::format("{:.0f} % of \"{}\" seen", 100.0 * *first, around.object)
-              : "the eye below the ground or inside an object";
+        first ? fmt::format("{:.0f} % of \"{}\" visible", 100.0 * *first, around.object)
+              : "the camera below the ground or inside an object";
     drawn.note = fmt::format(
-        "observer {}: aspect {:g}, elevation {:g} degrees with {}; drawn again: aspect {:.1f}, "
-        "elevation {:.1f} degrees, {:.0f} % of what faces it seen",
+        "observer {}: aspect {:g}, elevation {:g} degrees has {}; redrawn: aspect {:.1f}, "
+        "elevation {:.1f} degrees, {:.0f} % of the surfaces that face the camera visible",
         camera.name, around.aspect_deg, around.elevation_deg, why, taken.aspect_deg,
         taken.elevation_deg, 100.0 * std::max(0.0, best));
     return drawn;

@@ -63,12 +63,12 @@ void check_memory(const Plan& plan, double limit) {
     if (most == 0.0 || plan.memory <= most) return;
     throw InputError(
         asked ? "--max-memory" : "memory",
-        fmt::format("the plan needs {:.1f} GB ({} facets, {} steps, {:.3g} pixels), {} {:.1f} GB",
-                    plan.memory / 1e9, plan.facets, plan.steps.size() - 1, double(plan.pixels),
-                    asked ? "may have" : "nine tenths of what the machine has free are",
-                    most / 1e9),
-        "a coarser ground (terrain.tolerance_m, largest edges), smaller pictures, a longer "
-        "time.step_s take less; --max-memory allows more");
+        fmt::format(
+            "the plan needs {:.1f} GB ({} facets, {} steps, {:.3g} pixels), but {} {:.1f} GB",
+            plan.memory / 1e9, plan.facets, plan.steps.size() - 1, double(plan.pixels),
+            asked ? "--max-memory permits" : "90 % of the free memory is", most / 1e9),
+        "use a coarser ground (terrain.tolerance_m, largest_edge_m), smaller pictures or a longer "
+        "time.step_s, or raise --max-memory");
 }
 
 }  // namespace diurna

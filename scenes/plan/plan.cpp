@@ -202,14 +202,14 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
         plan.decisions.push_back(
             {.what = "instrument " + cost.name,
              .computed = true,
-             .why = cost.oversampling.why + fmt::format("; {} rays a sample", cost.samples),
+             .why = cost.oversampling.why + fmt::format("; {} rays per sample", cost.samples),
              .error = 0.0,
              .error_unit = "W m-2 sr-1"});
         if (cost.left_out.empty()) continue;
         plan.decisions.push_back(
             {.what = "stages of instrument " + cost.name,
              .computed = false,
-             .why = fmt::format("its settings have none: {}", fmt::join(cost.left_out, ", ")),
+             .why = fmt::format("disabled by its settings: {}", fmt::join(cost.left_out, ", ")),
              .error = 0.0,
              .error_unit = "W m-2 sr-1"});
     }
@@ -325,25 +325,25 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
         {.what = "shadows",
          .computed = true,
          .why =
-             fmt::format("{} of {} steps have the sun up; {} at night cast no ray; an edge within "
-                         "a step is found to 20 s, which is this much for some minutes",
+             fmt::format("the sun is up in {} of {} steps; the other {} need no rays; a shadow "
+                         "edge within a step is located to 20 s, so the error lasts a few minutes",
                          plan.sunlit_steps.size(), plan.steps.size(), dark),
          .error = 0.4,
          .error_unit = "K"},
         {.what = "heat balance step by step",
          .computed = true,
-         .why = "in modes of each material, rms over facets and instants (bench/results)",
+         .why = "modal solution per material, rms over facets and instants (bench/results)",
          .error = 0.003,
          .error_unit = "K"},
         {.what = "evaporation",
          .computed = wet_materials(scene, world, true) != "none",
-         .why = fmt::format("wet: {}; dry and left out: {}", wet_materials(scene, world, true),
+         .why = fmt::format("wet: {}; dry (omitted): {}", wet_materials(scene, world, true),
                             wet_materials(scene, world, false)),
          .error = 0.0,
          .error_unit = "W m-2"},
         {.what = "exchange between facets",
          .computed = true,
-         .why = "only where a facet's rays met another facet; open ground has no row",
+         .why = "only facets whose rays meet other facets; open ground has no row",
          .error = 0.0,
          .error_unit = "W m-2"},
         {.what = "reflected sun at night",
@@ -353,21 +353,21 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
          .error_unit = "W m-2 sr-1"},
         {.what = "radiance of unseen facets",
          .computed = false,
-         .why = "no pixel holds them; their temperature still warms those that are seen",
+         .why = "not in any pixel; their temperatures still heat visible facets",
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
         {.what = "rays per frame",
          .computed = false,
          .why = standing == scene.observers.size()
-                    ? "nothing moves: each observer's view is cast once and kept for all frames"
-                    : fmt::format("{} of {} observers stand: their views are cast once; those of "
-                                  "the others for each frame",
+                    ? "nothing moves: each observer's view is traced once for all frames"
+                    : fmt::format("{} of {} observers are fixed: their views are traced once, the "
+                                  "others' for each frame",
                                   standing, scene.observers.size()),
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
         {.what = "terms of the radiance as planes",
          .computed = terms,
-         .why = terms ? "observer.terms asks for them" : "no observer.terms asks for them",
+         .why = terms ? "requested by observer.terms" : "not requested by observer.terms",
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
     };

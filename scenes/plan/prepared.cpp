@@ -57,10 +57,9 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
 std::vector<std::string> notes_on_grey(const Scene& scene) {
     if (scene.labels.bits != 16 || scene.observers.empty()) return {};
     return {
-        "grey pictures in images/ have 16 bits, of temperatures 0.01 K a count: viewers show them "
-        "nearly black and readers that keep the upper 8 bits leave 2 to 10 grey levels; "
-        "display_counts in annotations.json are the counts to stretch to black and white, and "
-        "labels.bits = 8 writes pictures that need no stretching"};
+        "grey pictures in images/ have 16 bits (temperatures: 0.01 K per count); most viewers show "
+        "them nearly black, and programs that read only the upper 8 bits get 2 to 10 grey levels: "
+        "stretch display_counts (annotations.json) to black and white, or set labels.bits = 8"};
 }
 
 /// Heights over the ellipsoid on ground whose own zero nobody has reported.
@@ -69,11 +68,11 @@ std::vector<std::string> notes_on_heights(const Scene& scene) {
     if (scene.terrain.elevation.reading.geoid) return notes;
     const auto look = [&](const char* kind, const std::string& name, HeightOver over) {
         if (over != HeightOver::ellipsoid) return;
-        notes.push_back(fmt::format(
-            "heights of the {} \"{}\" above the ellipsoid are taken to have the "
-            "elevation data's own zero: if that is the sea, terrain.vertical_datum = \"egm96\" "
-            "parts the two, by up to 107 m",
-            kind, name));
+        notes.push_back(
+            fmt::format("heights above the ellipsoid of the {} \"{}\" use the same zero as the "
+                        "elevation data; if the elevation is above sea level, set "
+                        "terrain.vertical_datum = \"egm96\" (difference up to 107 m)",
+                        kind, name));
     };
     for (const auto& way : scene.trajectories) look("trajectory", way.name, way.heights);
     for (const auto& one : scene.observers) look("observer", one.name, one.stands.over);
@@ -103,7 +102,7 @@ void refuse_depths(const Dem& dem) {
         throw InputError(
             dem.source,
             fmt::format("found a height of {:.0f} m, expected {:.0f} m or more", height, lowest),
-            "a sea's bottom is no ground; posts without elevation must be declared");
+            "sea-bottom depths are not ground: declare posts without elevation as voids");
     }
     for (const DemDetail& detail : dem.detail) refuse_depths(detail.raster);
 }
@@ -119,9 +118,9 @@ std::vector<PlacedRadiometer> placed_radiometers(const Scene& scene, const Dem& 
                            world.ground_facets, world.objects);
         } catch (const InputError& error) {
             throw InputError(input.where,
-                             fmt::format("radiometer \"{}\" stands where nothing is seen: {}",
-                                         input.name, error.mistakes().front().problem),
-                             "raise it or move it into the open");
+                             fmt::format("radiometer \"{}\" sees no surface: {}", input.name,
+                                         error.mistakes().front().problem),
+                             "raise it or move it to an open place");
         }
         placed.push_back({input, at});
     }
@@ -171,8 +170,9 @@ Prepared prepare(Scene scene) {
         movement(scene, dem, world, frames_of(scene), scene_steps(scene));
     if (scene.time.spin_up == SpanStart::steady && movement_of_objects.stage.size() > 1) {
         throw InputError(scene.file.string() + ": time.spin_up",
-                         "found \"steady\" where objects move within the span, expected another",
-                         "the balance of a day's mean has no place for them; \"periodic\" has");
+                         "found \"steady\" with objects that move within the span",
+                         "\"steady\" solves the balance of a mean day, without moving objects; use "
+                         "\"periodic\"");
     }
     std::vector<Sequence> pictures = sequences(scene, dem, world, rays, movement_of_objects);
     for (const Sequence& sequence : pictures) {
@@ -201,8 +201,9 @@ Prepared prepare(Scene scene) {
     if (world.filled_facets > 0) {
         std::size_t voids = dem.voids;
         for (const DemDetail& detail : dem.detail) voids += detail.raster.voids;
-        notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
-                                    voids, world.posts, world.filled_facets, world.ground_facets));
+        notes.push_back(fmt::format(
+            "{} of {} elevation posts are void and were interpolated: {} of {} ground facets",
+            voids, world.posts, world.filled_facets, world.ground_facets));
     }
     if (std::string note = height_note(scene, world, weather); !note.empty()) {
         notes.push_back(std::move(note));
@@ -210,9 +211,9 @@ Prepared prepare(Scene scene) {
     for (std::string& note : notes_on_spectra(scene, world)) notes.push_back(std::move(note));
     if (const double longest = movement_of_objects.longest_move; longest > 0.0) {
         notes.push_back(fmt::format(
-            "objects that go rest in {} stages of the heat balance, each move (the longest takes "
-            "{:.0f} s) made at once in its middle; pictures show them on their way in the sun of "
-            "the instant, with sky, surroundings and temperatures of the stage",
+            "moving objects: the heat balance keeps them at rest in {} stages and moves them in "
+            "the middle of each move (longest {:.0f} s); pictures show their true place and the "
+            "sun of the instant, with sky, surroundings and temperatures of the stage",
             movement_of_objects.stage.size(), longest));
     }
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);

@@ -79,7 +79,7 @@ class Target {
 /// looking_at() with the place of the mistake in the scene file.
 Observer pointed_at(const ObserverInput& input, const Observer& from, const Eigen::Vector3d& at) {
     if (from.position == at) {
-        throw InputError(input.look_where, "is where its eye is, expected another place");
+        throw InputError(input.look_where, "is the camera's own place, expected another place");
     }
     return looking_at(from, at);
 }

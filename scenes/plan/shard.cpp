@@ -13,9 +13,10 @@ Shard read_shard(const std::string& text) {
     int used = 0;
     if (std::sscanf(text.c_str(), "%zu/%zu%n", &shard.number, &shard.count, &used) != 2 ||
         std::size_t(used) != text.size() || shard.count < 1 || shard.number > shard.count) {
-        throw InputError("--shard", fmt::format("found '{}', expected I/N with I from 1 to N, or "
-                                                "0/N for temperatures alone",
-                                                text));
+        throw InputError(
+            "--shard",
+            fmt::format("found '{}', expected I/N with I from 1 to N, or 0/N for temperatures only",
+                        text));
     }
     return shard;
 }

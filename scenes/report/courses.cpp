@@ -34,8 +34,7 @@ std::string courses(const Prepared& prepared, const TemperatureField& field) {
         out += "<h3>Ground, buildings and objects</h3>\n";
         if (const std::size_t copies = prepared.world.copies.size(); copies > 0) {
             out += fmt::format(
-                "<p class=\"key\">{} copies have the temperatures of what they are copies "
-                "of.</p>\n",
+                "<p class=\"key\">{} copies share the temperatures of their representatives.</p>\n",
                 copies);
         }
         out += group_days(days, "Surface temperature by object, mean over area", "object",
@@ -48,7 +47,7 @@ std::string courses(const Prepared& prepared, const TemperatureField& field) {
                           diurnal_curves(field, facets, parts[i].part));
     }
     if (parts.size() > most_objects) {
-        out += fmt::format("<p class=\"key\">The first {} of {} objects of several parts.</p>\n",
+        out += fmt::format("<p class=\"key\">The first {} of {} objects with several parts.</p>\n",
                            most_objects, parts.size());
     }
     return out;

@@ -25,7 +25,7 @@ std::unique_ptr<ChildProcess> start(std::vector<std::string> words, int input) {
     } catch (const std::system_error& error) {
         if (error.code() == std::errc::no_such_file_or_directory) {
             throw std::runtime_error(
-                "ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)");
+                "ffmpeg is not on the PATH; install it to make movies (Debian package: ffmpeg)");
         }
         throw std::runtime_error("ffmpeg cannot be started: " + error.code().message());
     }
@@ -95,7 +95,7 @@ void FfmpegMovie::add(std::span<const std::byte> png) {
         if (written >= 0) {
             png = png.subspan(static_cast<std::size_t>(written));
         } else if (errno != EINTR) {
-            throw std::runtime_error("ffmpeg has ended before the pictures: no movie was written");
+            throw std::runtime_error("ffmpeg ended before the last picture: no movie was written");
         }
     }
 }
@@ -106,7 +106,7 @@ void FfmpegMovie::finish() {
     const int status = child_->wait();
     child_.reset();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw std::runtime_error("ffmpeg has failed: no movie was written");
+        throw std::runtime_error("ffmpeg failed: no movie was written");
     }
     part_.finish();
 }

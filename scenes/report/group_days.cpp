@@ -121,7 +121,7 @@ std::string table_of(const GroupDays& days, const std::string& what,
             crossed += (crossed.empty() ? "" : ", ") + axis.says(when);
         }
         if (days.around && crossed.empty()) {
-            crossed = is_around(days, curve) ? "the whole time, to 0.1 K" : "never";
+            crossed = is_around(days, curve) ? "the whole time, within 0.1 K" : "never";
         }
         out += fmt::format(
             "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f}"
@@ -158,8 +158,8 @@ std::string between_instants(const std::vector<Instant>& instants) {
     }
     if (widest <= 0.5) return "";
     return fmt::format(
-        "<p class=\"key\">Straight between the {} instants kept, up to {:.3g} h apart: "
-        "extremes and crossovers in between are not in it.</p>\n",
+        "<p class=\"key\">Temperatures are interpolated linearly between {} stored instants, up to "
+        "{:.3g} h apart: extremes and crossovers between them may be missed.</p>\n",
         instants.size(), widest);
 }
 

@@ -23,14 +23,14 @@ struct TermLine {
     const char *name, *colour;
 };
 /// (term) as a page calls them.
-constexpr std::array<TermLine, heat_terms> lines{{{"sunlight in", "#c98a00"},
-                                                  {"longwave in", "#d62728"},
-                                                  {"released", "#7b1fa2"},
-                                                  {"longwave out", "#1f5fa8"},
-                                                  {"to the air", "#17a2b8"},
-                                                  {"by vapour", "#4c9f38"},
-                                                  {"by melting", "#7a7a7a"},
-                                                  {"to below", "#8c564b"}}};
+constexpr std::array<TermLine, heat_terms> lines{{{"absorbed sunlight", "#c98a00"},
+                                                  {"absorbed longwave", "#d62728"},
+                                                  {"released heat", "#7b1fa2"},
+                                                  {"emitted longwave", "#1f5fa8"},
+                                                  {"sensible heat", "#17a2b8"},
+                                                  {"latent heat", "#4c9f38"},
+                                                  {"melting", "#7a7a7a"},
+                                                  {"conduction", "#8c564b"}}};
 
 /// (term) (instant) [W m⁻²], positive towards the surface.
 using TermMeans = std::array<std::vector<double>, heat_terms>;
@@ -98,8 +98,8 @@ std::string terms_chart(const std::string& name, const TermMeans& means, const T
     double worst = 0.0;
     for (const double left : sum) worst = std::max(worst, std::abs(left));
     return chart_figure(chart) +
-           fmt::format("<p class=\"key\">{}Their sum is nought to {:.1g} W/m².</p>\n",
-                       absent.empty() ? "" : "Not in it, below 0.05 W/m²: " + absent + ". ", worst);
+           fmt::format("<p class=\"key\">{}The terms add up to zero within {:.1g} W/m².</p>\n",
+                       absent.empty() ? "" : "Not shown, below 0.05 W/m²: " + absent + ". ", worst);
 }
 
 }  // namespace
@@ -119,19 +119,18 @@ std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepare
     std::vector<double> x;
     for (const Instant when : field.instant) x.push_back(axis.x(when));
     std::string out =
-        "<h2>Heat balance over the day</h2>\n<p class=\"key\">Per square metre of facets' fronts, "
-        "mean over area; what brings heat to the surface is above nought. In is what is absorbed, "
-        "out "
-        "what is emitted, released is heat of the surface itself, to below what lies under it "
-        "takes "
-        "and stores. Faces in a contact exchange nothing there; heat through it is no term.</p>\n";
+        "<h2>Heat balance over the day</h2>\n<p class=\"key\">Mean over area, per square metre of "
+        "the facets' front sides; positive terms heat the surface. Conduction is the heat flow to "
+        "the layers below, with their storage; released heat is produced at the surface itself. "
+        "Faces in contact exchange no radiation or convection; conduction through a contact is not "
+        "shown.</p>\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
         out += terms_chart(groups[g].name, means[g], axis, x);
     }
     if (all > groups.size()) {
         out += fmt::format(
-            "<p class=\"key\">The first {} of {} objects and parts; temperatures.nc has every "
-            "facet's.</p>\n",
+            "<p class=\"key\">The first {} of {} objects and parts; temperatures.nc contains all "
+            "facets.</p>\n",
             groups.size(), all);
     }
     return out;

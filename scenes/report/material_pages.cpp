@@ -34,11 +34,12 @@ std::string figures_of(const Material& material) {
     const auto share = [](double x) { return fmt::format("{:.3f}", x); };
     if (material.cover < 1.0) {
         add("cover", share(material.cover),
-            "of this net are strips, the rest is open; below: of strips");
+            "of the strips of this net; the rest is open; the values below apply to the strips");
     }
     add("albedo", share(f.albedo), "weighted by the sun at the ground, ASTM G173");
     if (f.transmittance > 0.0) {
-        add("solar transmittance", share(f.transmittance), "weighted likewise");
+        add("solar transmittance", share(f.transmittance),
+            "weighted by the sun at the ground, ASTM G173");
     }
     add("emissivity", share(f.emissivity), "hemispherical, weighted by Planck at 300 K");
     add("  3-5 um", share(f.mwir), "10 deg from the normal");
@@ -46,10 +47,11 @@ std::string figures_of(const Material& material) {
     add("  8-14 um", share(f.wide), "");
     add("diffusivity", fmt::format("{:.3g}", f.diffusivity), "m2/s, top layer");
     add("inertia", fmt::format("{:.0f}", f.inertia), "J/m2K s^1/2, top layer: sqrt(k rho c)");
-    add("depth of a day", fmt::format("{:.3g}", f.day_depth), "m, where its wave is 1/e");
+    add("diurnal depth", fmt::format("{:.3g}", f.day_depth),
+        "m, where the diurnal temperature wave falls to 1/e");
     add("roughness length", fmt::format("{:g}", material.thermal.roughness_length),
-        "m, of momentum");
-    add("", fmt::format("{:g}", material.thermal.heat_roughness_length), "m, of heat");
+        "m, for momentum");
+    add("", fmt::format("{:g}", material.thermal.heat_roughness_length), "m, for heat");
     return out;
 }
 
@@ -76,8 +78,8 @@ std::string sources_in(const std::string& text, const LibraryNotes& notes) {
 }  // namespace
 
 std::string materials_list(const MaterialLibrary& library, const LibraryNotes& notes) {
-    std::string out = fmt::format("{:<26}{:>7}{:>7}{:>8}{:>8}{:>9}  what it is\n", "name", "albedo",
-                                  "emis.", "3-5 um", "8-12 um", "inertia");
+    std::string out = fmt::format("{:<26}{:>7}{:>7}{:>8}{:>8}{:>9}  description\n", "name",
+                                  "albedo", "emis.", "3-5 um", "8-12 um", "inertia");
     for (const std::string& name : library.names()) {
         const MaterialFigures f = material_figures(library[library.find(name)]);
         out += fmt::format("{:<26}{:>7.2f}{:>7.2f}{:>8.2f}{:>8.2f}{:>9.0f}  {}\n", name, f.albedo,
@@ -100,7 +102,7 @@ std::string material_sheet(const Material& material, const LibraryNotes& notes,
             if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
         }
     }
-    out += "where the numbers come from: library.toml\n" + lines;
+    out += "sources of all numbers: library.toml\n" + lines;
     for (const std::string& file : files) {
         out += file + "\n";
         for (const std::string& line : head_comment(folder / file)) out += "  " + line + "\n";
@@ -110,20 +112,16 @@ std::string material_sheet(const Material& material, const LibraryNotes& notes,
 
 std::string materials_page(const MaterialLibrary& library, const LibraryNotes& notes) {
     std::string out =
-        "# The library of materials\n\n"
-        "Printed by `diurna materials --page`; the chart by `diurna materials --chart`. Do not "
-        "edit "
-        "either: edit\n`library.toml` and `spectra/`. `diurna materials NAME` prints one material "
-        "with the source of every number.\n\n"
-        "![Spectra, colours and figures of all materials](library.svg)\n\n"
-        "Albedo under the sun at the ground (ASTM G173); ε hemispherical, weighted by Planck's law "
-        "at "
-        "300 K, and 10° from the\nnormal in 3 to 5, 8 to 12 and 8 to 14 µm. Of the top layer: "
-        "diffusivity k / ρ c, inertia √(k ρ c), and the depth at\nwhich the wave of a day is 1/e. "
-        "Soil: thawed. Nets: all of their strips, whatever they cover.\n\n"
-        "| material | what it is | albedo | ε | ε 3-5 | ε 8-12 | ε 8-14 | diffusivity mm²/s | "
-        "inertia "
-        "J/m²K√s | a day's depth m |\n|---|---|---|---|---|---|---|---|---|---|\n";
+        "# The library of materials\n\nPrinted by `diurna materials --page`; the chart by `diurna "
+        "materials --chart`. Edit neither of them: edit\n`library.toml` and `spectra/`. `diurna "
+        "materials NAME` prints one material with the source of every number.\n\n![Spectra, "
+        "colours and properties of all materials](library.svg)\n\nAlbedo: under the sun at the "
+        "ground (ASTM G173). ε: hemispherical emissivity, weighted by Planck's law at 300 K, and "
+        "10°\nfrom the normal in 3 to 5, 8 to 12 and 8 to 14 µm. Diffusivity k / ρ c, thermal "
+        "inertia √(k ρ c) and diurnal depth (where\nthe temperature wave of a day falls to 1/e) "
+        "are those of the top layer. Soil: thawed. Nets: values of the strips, without\nthe "
+        "holes.\n\n| material | description | albedo | ε | ε 3-5 | ε 8-12 | ε 8-14 | diffusivity "
+        "mm²/s | inertia J/m²K√s | diurnal depth m |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (const std::string& name : library.names()) {
         const MaterialFigures f = material_figures(library[library.find(name)]);
         out += fmt::format(

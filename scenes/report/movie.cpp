@@ -27,7 +27,7 @@ using SeriesFiles = std::map<std::pair<std::string, std::string>, std::vector<fs
 
 SeriesFiles series_in(const fs::path& folder) {
     if (!fs::is_directory(folder / "frames")) {
-        throw InputError(folder.string(), "found no folder frames, expected that of a run");
+        throw InputError(folder.string(), "found no folder frames, expected the folder of a run");
     }
     SeriesFiles all;
     for (const auto& entry : fs::directory_iterator(folder / "frames")) {
@@ -56,10 +56,10 @@ SeriesFiles::value_type chosen(const MovieOptions& options) {
                (!options.band.empty() && entry.first.second != options.band);
     });
     if (all.size() == 1) return *all.begin();
-    throw InputError(
-        options.folder.string(),
-        fmt::format("{} series of pictures fit, expected one of: {}", all.size(),
-                    known.empty() ? "none is there" : fmt::format("{}", fmt::join(known, "; "))));
+    throw InputError(options.folder.string(),
+                     fmt::format("{} series of pictures match, expected one of: {}", all.size(),
+                                 known.empty() ? "the run has none"
+                                               : fmt::format("{}", fmt::join(known, "; "))));
 }
 
 /// What is shown of a band; one of the scene's own by its temperature.

@@ -80,8 +80,9 @@ std::string picture_series(const PictureSeries& series, const Prepared& prepared
         "</label></div>\n",
         series.picture.size() - 1);
     if (!series.unit.empty()) {
-        out += bar(series, "each", false, "of each picture: its ends are told below it") +
-               bar(series, "common", true, "of all pictures");
+        out +=
+            bar(series, "each", false, "scale of each picture; its limits are below the picture") +
+            bar(series, "common", true, "scale of all pictures");
     }
     out += "<div class=\"sheet\">\n";
     for (const SeriesPicture& picture : series.picture) out += figure(series, picture, prepared);

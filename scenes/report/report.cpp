@@ -49,8 +49,8 @@ std::string pictures(const fs::path& folder, const Prepared& prepared) {
         const std::vector<Instant> frames = some_of(observer.frames);
         if (frames.empty()) continue;
         if (frames.size() < observer.frames.size()) {
-            html += fmt::format("<p>{} of {} pictures of {}, evenly chosen:</p>\n", frames.size(),
-                                observer.frames.size(), escaped(observer.name));
+            html += fmt::format("<p>{} of {} pictures of {}, at equal intervals:</p>\n",
+                                frames.size(), observer.frames.size(), escaped(observer.name));
         }
         for (const std::string& band : observer.bands) {
             html += picture_series(
@@ -75,9 +75,9 @@ std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& so
         {"heat balance",
          fmt::format("{} steps, {} passes; periodic to {:.1e} K (estimated error {:.1e} K)",
                      solve.steps, solve.passes, solve.periodic_residual, solve.estimated_error)},
-        {"worst energy closure",
-         fmt::format("{:.1e} of the heat moved, any facet and step", solve.worst_energy_closure)},
-        {"Newton iterations", fmt::format("{:.2f} a stage, at most {}", solve.newton_iterations,
+        {"worst energy closure", fmt::format("{:.1e} of the heat exchanged, worst facet and step",
+                                             solve.worst_energy_closure)},
+        {"Newton iterations", fmt::format("{:.2f} per stage, at most {}", solve.newton_iterations,
                                           solve.worst_newton_iterations)}};
 }
 
@@ -94,7 +94,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         {"courses", "Temperatures", courses(prepared, field)},
         {"heat", "Heat balance", heat_terms_of_day(folder, prepared, field)},
         {"studies", "Studies", study_plots(folder)},
-        {"errors", "Errors", "<h2>Errors that are known</h2>\n" + errors_table(prepared, report)},
+        {"errors", "Errors", "<h2>Known errors</h2>\n" + errors_table(prepared, report)},
         {"time", "Time", "<h2>Time of this run</h2>\n" + timings_table(report)},
         {"plan", "Plan", "<h2>Plan: computed and skipped</h2>\n" + decisions_table(report.plan)},
         {"notes", "Notes", "<h2>Notes</h2>\n" + notes_list(report)},
@@ -106,7 +106,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
     std::string html = page_begin(prepared.scene.title, links);
     html += fmt::format(
         "<p class=\"key\"><span title=\"{}\">{}</span>, scene {}, {} to {}; clock times are {}; "
-        "the sun stands highest at 12:00 solar time</p>\n",
+        "solar time is 12:00 at true noon</p>\n",
         escaped(made_with()), made_by(), escaped(prepared.scene.file.filename().string()),
         when(prepared, report.plan.steps.front()), when(prepared, report.plan.steps.back()),
         clock_zone(prepared.scene.time.utc_offset));

@@ -50,7 +50,7 @@ std::vector<TimeRow> time_rows(const JobReport& report) {
         if (planned.name == "sky view") one.rays = double(report.plan.sky_rays);
         if (planned.name == "shadows") one.rays = double(report.plan.sun_rays);
         if (planned.name == "views") one.rays = double(report.plan.view_rays);
-        if (planned.name == "report") one.name = "labels, and this page (not counted)";
+        if (planned.name == "report") one.name = "labels and this page (not measured)";
         for (const Progress::Stage& stage : report.stages) {
             if (!belongs(stage.name, planned.name)) continue;
             one.taken = std::max(0.0, one.taken) + stage.seconds;
@@ -89,7 +89,7 @@ std::string facts_table(const Prepared& prepared, const JobReport& report) {
 std::string errors_table(const Prepared& prepared, const JobReport& report) {
     std::string out = "<table class=\"facts\">\n";
     out += table_row("vertical error of the mesh",
-                     fmt::format("{:.3f} m at the worst post, rms {:.3f} m, {:g} m allowed",
+                     fmt::format("{:.3f} m at the worst post, rms {:.3f} m, limit {:g} m",
                                  report.ground_check.worst_error, report.ground_check.rms_error,
                                  prepared.scene.terrain.elevation.tolerance));
     for (const auto& [key, value] : report.heat) out += table_row(escaped(key), escaped(value));
@@ -100,16 +100,19 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
                                      escaped(decision.why)));
     }
     return out +
-           "</table>\n<p class=\"key\">They are of different kinds and not added up. What the step "
-           "adds, a run does not know of itself; the notes tell bounds of what was left "
-           "out.</p>\n";
+           "</table>
+<p class=\"key\">These errors are of different kinds and do not add up. The "
+           "error from the time step is not estimated in a run; the notes give limits for omitted "
+           "effects.</p>
+";
 }
 
 std::string timings_table(const JobReport& report) {
     std::string out =
         "<table class=\"figures\">\n<tr><th>stage</th><th class=\"n\">planned, s</th><th "
         "class=\"n\">taken, s</th>"
-        "<th class=\"n\">rays, at most</th><th class=\"n\">million rays a second</th></tr>\n";
+        "<th class=\"n\">rays (upper limit)</th><th class=\"n\">million rays per "
+        "second</th></tr>\n";
     double taken = 0.0;
     for (const Progress::Stage& stage : report.stages) taken += stage.seconds;
     for (const TimeRow& one : time_rows(report)) out += timed(one);
@@ -149,15 +152,13 @@ std::string inputs_table(const JobReport& report) {
                             escaped(input.name), escaped(input.sha256));
     }
     std::string out =
-        "<p class=\"key\">With SHA-256 of what they held. The same files and settings make the "
-        "same "
-        "results.</p>\n<table class=\"facts\">\n" +
+        "<p class=\"key\">Each with the SHA-256 of its contents. The same files and settings give "
+        "the same results.</p>\n<table class=\"facts\">\n" +
         own +
-        "</table>\n<details><summary>The program's own data</summary>\n<table "
-        "class=\"facts\">\n" +
+        "</table>\n<details><summary>Data of the program</summary>\n<table class=\"facts\">\n" +
         program + "</table></details>\n";
     if (!report.settings.empty()) {
-        out += "<p>Settings of the command line:</p>\n<ul>\n";
+        out += "<p>Command-line settings:</p>\n<ul>\n";
         for (const std::string& setting : report.settings) {
             out += "<li>" + escaped(setting) + "</li>\n";
         }

@@ -43,7 +43,7 @@ std::string moment(const OrderedJson& of) {
 
 std::string crossover_rows(const OrderedJson& study) {
     std::string out = cells({"band µm", "crossing", "", "warmer after", "± min",
-                             "hours below " + reported(study, "threshold_K") + " K", "least K"},
+                             "hours below " + reported(study, "threshold_K") + " K", "lowest K"},
                             "th");
     for (const OrderedJson& band : study.at("bands")) {
         const std::string hours =
@@ -68,7 +68,7 @@ std::string crossover_rows(const OrderedJson& study) {
 std::string contrast_rows(const OrderedJson& study) {
     std::string out = cells(
         {"target", "band µm", "worst picture", "from", "RSS contrast K", "± K", "signal to clutter",
-         "share above " + reported(study, "threshold_K") + " K", "least K"},
+         "share above " + reported(study, "threshold_K") + " K", "lowest K"},
         "th");
     for (const OrderedJson& one : study.at("targets")) {
         const OrderedJson worst = one.value("worst", OrderedJson::object());
@@ -178,15 +178,14 @@ std::string study_plots(const fs::path& folder) {
         try {
             out += study_of(json);
         } catch (const std::exception& error) {  // not JSON, of another form, too large
-            out += fmt::format("<p>{} is left out: {}</p>\n",
+            out += fmt::format("<p>{} is not shown: {}</p>\n",
                                escaped(json.lexically_relative(folder).string()),
                                escaped(error.what()));
         }
     }
     if (out.empty()) return "";
-    return "<h2>Studies</h2>\n<p class=\"key\">As they stand in the run's folder; a run does not "
-           "make "
-           "them anew.</p>\n" +
+    return "<h2>Studies</h2>\n<p class=\"key\">Results of earlier study commands in the run's "
+           "folder; a run does not recompute them.</p>\n" +
            out;
 }
 

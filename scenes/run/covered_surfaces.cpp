@@ -66,8 +66,8 @@ MaterialCover mean_of(const Members& of) {
 
 std::string CoveredSurfaces::note() const {
     return fmt::format(
-        "{} facets are shown in {} states of snow and wetness, whose albedo is within {:.2g} of "
-        "each facet's own",
+        "snow and water: the pictures group {} facets into {} states of snow and wetness; the "
+        "group's albedo differs from a facet's own by at most {:.2g}",
         covered, states, widest);
 }
 

@@ -28,15 +28,15 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported) {
     std::vector<std::string> lines;
     for (const std::string& band : observer.bands) {
-        std::string line = "tables against the direct sum, worst frame: " + observer.name + ", " +
-                           band + ": " + worst_note(reported, "error." + band);
+        std::string line = "radiance tables against direct sums, worst frame: " + observer.name +
+                           ", " + band + ": " + worst_note(reported, "error." + band);
         const std::string scattered = worst_note(reported, "scattered." + band);
-        if (!scattered.empty()) line += "; light scattered before surfaces " + scattered;
+        if (!scattered.empty()) line += "; light scattered in front of surfaces: " + scattered;
         lines.push_back(std::move(line));
     }
     if (const std::string water = worst_note(reported, "water"); !water.empty()) {
-        lines.push_back("water in pictures, frame with most of it: " + observer.name + ": " +
-                        water);
+        lines.push_back("wet and snow-covered surfaces, frame with most of them: " + observer.name +
+                        ": " + water);
     }
     return lines;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "materials/base/number_of.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
@@ -28,8 +29,8 @@ namespace {
 
 std::string not_held(const GreyPicture& counts, Instant instant) {
     return fmt::format(
-        "{} pixels lie beyond {} at {} and have its last count; the EXR has their values",
-        counts.beyond, counts.scale, format_instant(instant));
+        "{} outside {} at {}, written as the last count; the EXR file has the true values",
+        number_of(counts.beyond, "pixel"), counts.scale, format_instant(instant));
 }
 
 /// EXR, quick-look and plain grey picture of every band; returns what the pictures could not hold.

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/run_folder.hpp"
 
@@ -21,20 +22,20 @@ std::unique_ptr<const Ledger> part_in(const fs::path& folder, const std::string&
     const std::string found = ledger_key(folder);
     if (found.empty()) {
         throw InputError(folder.string(), "found no ledger.jsonl of a run",
-                         "expected the folder of a run --shard or --only");
+                         "expected the folder of run --shard or run --only");
     }
     if (found != key) {
-        throw InputError(folder.string(),
-                         "is of another scene, other settings or another version of the program",
-                         "merge by the program of its run, with the same --set");
+        throw InputError(
+            folder.string(),
+            "belongs to another scene, other settings or another version of the program",
+            "merge with the program version of the run and the same --set");
     }
     auto part = std::make_unique<const Ledger>(folder, key, true);
     if (const auto& changed = part->changed(); !changed.empty()) {
         throw InputError(folder.string(),
-                         fmt::format("{} files are not what the run has left, {} "
-                                     "for one",
-                                     changed.size(), changed.front()),
-                         "run that part again with --resume");
+                         fmt::format("{} changed since the run, for example {}",
+                                     number_of(changed.size(), "file"), changed.front()),
+                         "repeat that shard with --resume");
     }
     return part;
 }
@@ -56,14 +57,15 @@ void gather_parts(const std::vector<fs::path>& parts, const fs::path& out, const
     std::vector<std::unique_ptr<const FolderLock>> locks;
     std::map<std::string, std::pair<std::string, fs::path>> known;  // digest and where, by name
     for (const fs::path& folder : parts) {
-        if (!fs::is_directory(folder)) throw InputError(folder.string(), "found no such folder");
+        if (!fs::is_directory(folder))
+            throw InputError(folder.string(), "the folder does not exist");
         locks.push_back(std::make_unique<const FolderLock>(folder, true));
         ledgers.push_back(part_in(folder, key));
         for (const auto& [name, digest] : ledgers.back()->digests()) {
             const auto& [first, at] = known.try_emplace(name, digest, folder).first->second;
             if (first == digest) continue;
             throw InputError(folder.string(),
-                             fmt::format("its {} is not that of {}", name, at.string()));
+                             fmt::format("its {} differs from that of {}", name, at.string()));
         }
     }
     std::vector<std::string> missing;
@@ -72,8 +74,7 @@ void gather_parts(const std::vector<fs::path>& parts, const fs::path& out, const
     }
     if (!missing.empty()) {
         throw InputError("merge",
-                         fmt::format("{} of {} files are in none of the folders, {} for "
-                                     "one",
+                         fmt::format("{} of {} files are in none of the folders, for example {}",
                                      missing.size(), expected.size(), missing.front()),
                          "name the folders of all shards");
     }

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 constexpr float apart = 0.05f;  // [m] that places of the same facet may be
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& problem) {
-    throw InputError(file.string(), "is of another scene: " + problem,
-                     "diurna solve SCENE --out FILE.nc makes those of this one");
+    throw InputError(file.string(), "belongs to another scene: " + problem,
+                     "diurna solve SCENE --out FILE.nc computes the temperatures of this scene");
 }
 
 /// Refuses where a facet has another name than it has in the scene.
@@ -58,8 +58,8 @@ void check_facets(const Prepared& prepared, const fs::path& file, std::size_t fo
         most = std::max(most, off);
     }
     if (elsewhere > 0) {
-        refuse(file, fmt::format("{} of {} facets lie elsewhere, up to {:.3g} m", elsewhere, found,
-                                 most));
+        refuse(file, fmt::format("{} of {} facets have other places, up to {:.3g} m apart",
+                                 elsewhere, found, most));
     }
     if (!mesh.materials.empty()) {
         check_names(
@@ -91,13 +91,14 @@ GivenHeat given_heat(const Prepared& prepared, const fs::path& file) {
     for (const RunInput& input : inputs) {
         const bool differs = std::find(changed.begin(), changed.end(), input.name) != changed.end();
         if (differs && is_weather(input.path)) {
-            refuse(file, fmt::format("found those of another content of {}", input.path.string()));
+            refuse(file, fmt::format("{} has changed since the temperatures were computed",
+                                     input.path.string()));
         }
     }
     if (!changed.empty()) {
         given.warnings.push_back(fmt::format(
-            "{}: {} {} otherwise than when these temperatures were solved (of a scene file its "
-            "observers, bands and labels do not count); diurna solve makes them anew",
+            "{}: {} {} changed since these temperatures were computed (changes of observers, bands "
+            "and labels in a scene file do not matter); diurna solve recomputes them",
             file.string(), fmt::join(changed, ", "), changed.size() == 1 ? "is" : "are"));
     }
     return given;
@@ -111,11 +112,13 @@ void check_solved(const Stages& stages, const TemperatureField& field, const fs:
         if (field.solved_as[f] != f) most = std::max(most, share[f]);
     }
     if (most == 0.0f) return;
-    throw InputError(file.string(),
-                     fmt::format("was solved for other pictures (tolerance_K): of these a facet "
-                                 "that fills {:.3g} % of one was left to others of its kind",
-                                 100.0f * most),
-                     "run the scene with these observers, or solve it without tolerance_K");
+    throw InputError(
+        file.string(),
+        fmt::format(
+            "these temperatures were computed for other pictures (tolerance_K): a facet that fills "
+            "{:.3g} % of a picture has the temperature of a representative facet",
+            100.0f * most),
+        "run the scene with these observers, or solve it without tolerance_K");
 }
 
 }  // namespace diurna

@@ -51,10 +51,10 @@ std::optional<HeatState> earlier_state(const Prepared& prepared) {
     if (timed.instant != time.start) {
         throw InputError(
             time.state_where,
-            fmt::format("found the state at {} in {}, expected that at the span's "
-                        "start, {}",
-                        format_local(timed.instant, time.utc_offset), time.state.string(),
-                        format_local(time.start, time.utc_offset)));
+            fmt::format(
+                "found the state at {} in {}, expected the state at the start of the span, {}",
+                format_local(timed.instant, time.utc_offset), time.state.string(),
+                format_local(time.start, time.utc_offset)));
     }
     return std::move(timed.state);
 }
@@ -63,25 +63,25 @@ std::optional<HeatState> earlier_state(const Prepared& prepared) {
 std::string start_reported(const SolveInput& input, const SpanOptions& span,
                            const SpanResult& result) {
     const SolveReport& report = result.report;
-    if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
+    if (span.begin == SpanStart::state) return "continues from the saved state of an earlier run";
     std::string line;
     if (report.periodic_residual > 0.0 && !result.repeated) {
-        line = fmt::format("periodic day not converged: its residual is {:.1e} K; ",
-                           std::max(report.periodic_residual, report.target_residual));
+        line = fmt::format("periodic solution not converged: residual {:.1e} K (limit {:.0e} K); ",
+                           std::max(report.periodic_residual, report.target_residual),
+                           span.day.tolerance);
     } else if (report.periodic_residual > 0.0) {
-        line =
-            fmt::format("residual of the repeated day is worth {:.1e} K; ", result.repeated_error);
+        line = fmt::format("periodic to {:.1e} K; ", result.repeated_error);
     }
     if (report.stores_held > 0) {
         line += fmt::format(
-            "hoar or snow changes by up to {:.2g} mm from day to day on {} {}, so it starts with "
-            "what eight such days leave; ",
+            "hoar or snow changes by up to {:.2g} mm from day to day on {} {}: the start is the "
+            "state after eight such days; ",
             report.store_growth, report.stores_held, report.stores_held == 1 ? "facet" : "facets");
     }
     if (report.alternating > 0) {
         line += fmt::format(
-            "{} {} no repeated day: their days alternate by up to {:.2g} K below the surface ({}), "
-            "one between is taken; ",
+            "{} {} no periodic solution: successive days alternate by up to {:.2g} K below the "
+            "surface ({}), and their mean is used; ",
             report.alternating, report.alternating == 1 ? "facet has" : "facets have",
             report.alternation, report.alternating_facet);
     }
@@ -105,11 +105,11 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
 
 std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
-    if (!report.unsolved.empty()) return "the heat balance has failed: " + report.unsolved;
+    if (!report.unsolved.empty()) return "the heat balance failed: " + report.unsolved;
     std::string reported = fmt::format(
         "the heat balance has not converged in {} passes: estimated error {:.1e} K (limit {:.2g} "
-        "K), residual of the repeated day {:.1e} K{}{}; a shorter time.step_s, or a start from a "
-        "longer weather record, may help",
+        "K), residual of the periodic day {:.1e} K{}{}; a shorter time.step_s or a longer weather "
+        "record before the start may help",
         report.passes, report.estimated_error, SolveOptions{}.settled, report.periodic_residual,
         report.furthest.empty() ? "" : ", largest at ", report.furthest);
     // What changed to the last, of passes that wait for one another.
@@ -120,7 +120,7 @@ std::string not_converged(const SolveReport& report) {
     }
     if (report.target_residual > SolveOptions{}.settled) {
         reported +=
-            fmt::format("; targets are {:.1g} K from their repeated day", report.target_residual);
+            fmt::format("; residual of the targets' periodic day {:.1g} K", report.target_residual);
     }
     return reported;
 }
@@ -132,13 +132,14 @@ namespace {
 /// Why a scene is solved whole though a tolerance is given; "" where it need not be.
 std::string why_whole(const Prepared& scene, double tolerance) {
     constexpr std::size_t few_facets = 5000;
-    if (!(tolerance > 0.0)) return "temperatures are asked for apart from pictures";
-    if (scene.scene.output.state) return "the heat of all is kept (output.state)";
-    if (scene.scene.time.spin_up == SpanStart::state) return "it goes on from a state of all";
+    if (!(tolerance > 0.0)) return "temperatures are requested without pictures";
+    if (scene.scene.output.state) return "the state of all facets is saved (output.state)";
+    if (scene.scene.time.spin_up == SpanStart::state)
+        return "the solution continues from a state of all facets";
     if (!scene.radiometers.empty()) return "radiometers see the whole scene";
     if (scene.sequences.empty()) return "there are no pictures";
     if (scene.world.surfaces().size() <= few_facets) {
-        return fmt::format("there are no more than {}", few_facets);
+        return fmt::format("the scene has at most {} facets", few_facets);
     }
     return "";
 }
@@ -194,9 +195,9 @@ std::string reported(const NeededFacets& needed, const TemperatureField& field) 
     const double apart = probed_difference(needed, field), worth = apart * needed.weight;
     constexpr double least_reported = 5e-4;  // [K] about what the balance itself leaves open
     return fmt::format(
-        "solved: {} of {} facets, of which {} that pictures see and their neighbours, {} whose "
-        "heat those feel; {} stand for all others of their kind, from which {} that were solved "
-        "to see are {:.2f} K (rms): worth {} in pictures",
+        "solved: {} of {} facets ({} visible facets and their neighbours, {} thermally coupled to "
+        "them, {} representative facets); check on {} other facets: the representative's "
+        "temperature differs by {:.2f} K (rms), which changes the pictures by {}",
         needed.who.solved.size(), needed.who.place.size(), needed.seen, needed.coupled,
         needed.kinds, needed.probe.size(), apart,
         worth < least_reported ? fmt::format("less than {:.0e} K", least_reported)
@@ -247,7 +248,7 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     if (needed) {
         result.notes.push_back(reported(*needed, result.temperature));
     } else if (scene.scene.tolerance > 0.0) {
-        result.notes.push_back("solved: every facet, in spite of tolerance_K: " + whole);
+        result.notes.push_back("solved: all facets; tolerance_K is not used: " + whole);
     }
     result.start += ": " + start_reported(first.input(), span, result);
     for (std::string& note : first.reported(result.report)) {

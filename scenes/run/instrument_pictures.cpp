@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "materials/base/files.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/instrument/count_calibration.hpp"
@@ -245,7 +246,7 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
     const std::string name =
         fmt::format("{} of {} in {}: ", instrument.name, view.observer.name, view.band.name);
     std::vector<std::string> notes{name + view.camera.oversampling.why};
-    notes.push_back(name + "left out for want of settings: " +
+    notes.push_back(name + "effects without settings, not modelled: " +
                     fmt::format("{}", fmt::join(left_out(instrument), ", ")));
     if (sees_heat(view.band)) {
         notes.push_back(name + fmt::format("NETD at 300 K {:.3g} mK",
@@ -253,8 +254,8 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
                                                          view.camera.noise)));
     }
     if (const double by = largest_shift(view.camera); by > 0.5) {
-        notes.push_back(name + fmt::format("its lens moves what is in the picture by {:.1f} pixels "
-                                           "at the most, which truth and labels do not follow",
+        notes.push_back(name + fmt::format("lens distortion moves image points by up to {:.1f} "
+                                           "pixels; truth planes and labels are not distorted",
                                            by));
     }
     std::vector<std::int64_t> number;
@@ -262,15 +263,17 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         number.push_back(frame_number(instrument, seconds_since_1970(when)));
     }
     if (std::adjacent_find(number.begin(), number.end()) != number.end()) {
-        notes.push_back(name + fmt::format("pictures nearer than a frame of {:g} Hz have the same "
-                                           "noise",
-                                           instrument.electronics.frame_rate));
+        notes.push_back(
+            name +
+            fmt::format("pictures less than one frame period apart ({:g} Hz) have the same noise",
+                        instrument.electronics.frame_rate));
     }
     if (prepared.scene.tolerance > 0.0) {
-        notes.push_back(name + fmt::format("{} pixels beyond each edge of the picture are seen, "
-                                           "too; facets there may be others that stand for them "
-                                           "(tolerance_K)",
-                                           view.camera.margin));
+        notes.push_back(
+            name +
+            fmt::format("the instrument also images {} pixels beyond each edge; facets there may "
+                        "have the temperature of a representative facet (tolerance_K)",
+                        view.camera.margin));
     }
     if (reported.empty()) return notes;
     std::size_t saturated = 0, pictures = 0, lagged = 0;
@@ -283,18 +286,19 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         longest = std::max(longest, one.integration_time);
     }
     if (instrument.detector.kind == DetectorKind::photon) {
-        notes.push_back(name + fmt::format("integration times {:.3g} to {:.3g} ms; wells full in "
-                                           "{} pictures, {} pixels at the most",
+        notes.push_back(name + fmt::format("integration times {:.3g} to {:.3g} ms; saturated "
+                                           "pixels in {} pictures, at most {} pixels in one",
                                            1e3 * shortest, 1e3 * longest, pictures, saturated));
     } else if (instrument.detector.time_constant > 0.0) {
         notes.push_back(
-            name + fmt::format("{} of {} pictures follow one less than {:g} time constants before; "
-                               "of the others the lag is left out (below a thousandth of a change)",
-                               lagged, reported.size(), forgotten_after));
+            name +
+            fmt::format("thermal lag: {} of {} pictures follow another within {:g} time constants; "
+                        "the others have no lag (error below a thousandth of the change)",
+                        lagged, reported.size(), forgotten_after));
     }
     if (reported.front().dead > 0) {
-        notes.push_back(name +
-                        fmt::format("{} dead pixels stay as they are", reported.front().dead));
+        notes.push_back(
+            name + fmt::format("{} not replaced", number_of(reported.front().dead, "dead pixel")));
     }
     return notes;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "scenes/cache/digest.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
@@ -34,7 +35,7 @@ std::vector<RunInput> inputs_of(const Prepared& prepared, const JobOptions& opti
     const fs::path& heat = options.temperatures;
     if (!heat.empty() && !fs::is_regular_file(heat)) {
         throw InputError(heat.string(), "no such file",
-                         "diurna solve SCENE --out FILE.nc makes it");
+                         "diurna solve SCENE --out FILE.nc computes it");
     }
     if (!heat.empty()) inputs.push_back({heat, "temperatures", sha256_of_file(heat)});
     return inputs;
@@ -102,8 +103,10 @@ std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>&
 void refuse_own(const fs::path& out, const fs::path& from, const char* option) {
     std::error_code none;
     if (!fs::equivalent(out, from, none)) return;
-    throw InputError(option, fmt::format("{} is the folder of the results (--out)", from.string()),
-                     "--resume keeps what an earlier run has left there");
+    throw InputError(option,
+                     fmt::format("{} is the folder of the results (--out), expected another folder",
+                                 from.string()),
+                     "to continue an earlier run in the same folder use --resume");
 }
 
 /// What the heat balance leaves in the folder; nothing where temperatures are given.
@@ -122,17 +125,16 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     std::set<std::string> keep{ledger_file, "manifest.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
     clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
-        progress.tell(
-            fmt::format("{}: of earlier runs' files {} of pictures are rendered again, {} removed",
-                        out.string(), cleared.again, cleared.gone));
+        progress.tell(fmt::format("{}: {} of an earlier run rendered again, {} removed",
+                                  out.string(), number_of(cleared.again, "file"), cleared.gone));
         if (cleared.gone == 0) return;
-        report.remade.push_back(
-            fmt::format("{} files of earlier runs removed from {}", cleared.gone, out.string()));
+        report.remade.push_back(fmt::format("{} of an earlier run removed from {}",
+                                            number_of(cleared.gone, "file"), out.string()));
     });
     if (const std::vector<std::string>& changed = ledger.changed(); !changed.empty()) {
         report.remade.push_back(
-            fmt::format("{} files changed since the earlier run (for example {}); regenerated",
-                        changed.size(), changed.front()));
+            fmt::format("{} changed since the earlier run (for example {}); regenerated",
+                        number_of(changed.size(), "file"), changed.front()));
     }
     for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(out / folder);
@@ -166,7 +168,7 @@ TemperatureField given_field(const Stages& stages, const std::vector<ObserverInp
     check_covers(given.field, frames, file);
     check_solved(stages, given.field, file);
     report.warnings.insert(report.warnings.end(), given.warnings.begin(), given.warnings.end());
-    report.heat.emplace_back("temperatures", "given: " + file.filename().string());
+    report.heat.emplace_back("temperatures", "from file: " + file.filename().string());
     return std::move(given.field);
 }
 
@@ -253,7 +255,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     if (!options.pictures.all()) {
         const auto [there, all] = keep_there(chosen, ledger, prepared);
         manifest.only = said_of_job(options.pictures);
-        report.remade.push_back(fmt::format("{} of {} pictures are here ({})", there, all,
+        report.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})", there, all,
                                             fmt::join(manifest.only, ", ")));
     }
 

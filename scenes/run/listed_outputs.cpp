@@ -42,7 +42,7 @@ std::string changed(const fs::path& folder, const std::string& name, const std::
     const fs::file_status status = fs::symlink_status(folder / name, ignored);
     if (!fs::exists(status)) return name + ": missing";
     if (!fs::is_regular_file(status)) return name + ": not a regular file";
-    return sha256_of_file(folder / name) == digest ? "" : name + ": not what the run has written";
+    return sha256_of_file(folder / name) == digest ? "" : name + ": changed since the run";
 }
 
 }  // namespace
@@ -86,9 +86,9 @@ bool is_whole(const fs::path& folder, const std::map<std::string, std::string>& 
 std::vector<std::string> verify(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw InputError(folder.string(), "no such folder");
     const ListedOutputs listed = listed_outputs(folder);
-    if (!listed.found) return {"manifest.json: missing, or not of a run"};
+    if (!listed.found) return {"manifest.json: missing, or not written by a run"};
     std::vector<std::string> lines;
-    if (!listed.done) lines.push_back("manifest.json: the run has not come to its end");
+    if (!listed.done) lines.push_back("manifest.json: the run is not complete");
     std::map<std::string, std::string> files = listed.digest;
     if (!listed.done) files.merge(ledger_digests(folder));
     std::set<fs::path> folders;
@@ -107,7 +107,7 @@ std::vector<std::string> verify(const fs::path& folder) {
             const std::string file = entry.path().filename().string();
             const bool own_list = file == "variant.json" || file == "done.json";
             if (entry.is_directory() || files.contains(name) || own_list) continue;
-            others.insert(name + ": not of this run");
+            others.insert(name + ": not written by this run");
         }
         lines.insert(lines.end(), others.begin(), others.end());
     }

@@ -50,8 +50,8 @@ std::vector<Band> lit_bands(const Series& s) {
 
 std::string moon_note(const LightSource& light) {
     return fmt::format(
-        "shines in the sun's place below {:g} um: azimuth {:.2f} deg, elevation {:.2f} deg, phase "
-        "{:.1f} deg, {:.0f} % lit; {:.2e} of the sun's light at 0.55 um",
+        "replaces the sun below {:g} um: azimuth {:.2f} deg, elevation {:.2f} deg, phase {:.1f} "
+        "deg, {:.0f} % illuminated; {:.2e} of the sun's irradiance at 0.55 um",
         moonlight_ends_um, light.place.azimuth_deg, light.place.elevation_deg,
         light.moon->phase_deg, 100.0 * lit_share(*light.moon), moon_over_sun(0.55, *light.moon));
 }

@@ -240,8 +240,8 @@ std::string view_note(const Readings& readings) {
     }
     if (hidden < much) return "";
     return fmt::format(
-        "radiometer \"{}\": up to {:.0f} % of a receiver's view meets thin bodies from inside; "
-        "that share is taken to be like the rest of what it sees",
+        "radiometer \"{}\": up to {:.0f} % of a receiver's view is blocked by thin bodies around "
+        "it; that share gets the mean radiance of the rest",
         readings.radiometer.input.name, 100.0 * hidden);
 }
 

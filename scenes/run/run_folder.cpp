@@ -52,21 +52,22 @@ void check_run_folder(const fs::path& out, FolderKind kind) {
     const fs::file_status status = fs::status(out, problem);
     if (!fs::exists(status)) {
         if (fs::is_symlink(fs::symlink_status(out, problem))) {
-            refuse(out, "is a link that leads nowhere", "expected a folder");
+            refuse(out, "is a broken symbolic link", "expected a folder");
         }
         fs::path above = out.lexically_normal();
         while (above.has_parent_path() && above.parent_path() != above && !fs::exists(above)) {
             above = above.parent_path();
         }
         if (fs::exists(above) && !fs::is_directory(above)) {
-            refuse(out, fmt::format("cannot be made: {} is no folder", above.string()), "");
+            refuse(out, fmt::format("cannot be created: {} is not a folder", above.string()), "");
         }
         return;
     }
-    if (!fs::is_directory(status)) refuse(out, "is no folder", "expected one, or a new name");
+    if (!fs::is_directory(status))
+        refuse(out, "is not a folder", "expected a folder or a new name");
     for (const char* inner : own_folders) {
         if (fs::is_symlink(fs::symlink_status(out / inner, problem))) {
-            refuse(out, fmt::format("has a link in place of its folder {}", inner), "");
+            refuse(out, fmt::format("has a symbolic link in place of its folder {}", inner), "");
         }
     }
     if (is_sweep(out) != (kind == FolderKind::sweep) && holds_files(out) &&
@@ -75,8 +76,7 @@ void check_run_folder(const fs::path& out, FolderKind kind) {
                "choose another folder");
     }
     if (is_sweep(out) || is_listed(out) || !holds_files(out)) return;
-    refuse(out, "holds files that are no results of a run",
-           "choose another folder, a new one or an empty one");
+    refuse(out, "holds files that are not results of a run", "choose another folder, new or empty");
 }
 
 void check_no_input_in(const fs::path& out, const std::vector<RunInput>& inputs) {
@@ -84,7 +84,7 @@ void check_no_input_in(const fs::path& out, const std::vector<RunInput>& inputs)
     for (const RunInput& input : inputs) {
         const fs::path below = fs::weakly_canonical(input.path).lexically_relative(folder);
         if (below.empty() || *below.begin() == "..") continue;
-        refuse(out, fmt::format("holds {}, of which the results are made", input.path.string()),
+        refuse(out, fmt::format("holds {}, an input of this run", input.path.string()),
                "choose another folder");
     }
 }
@@ -100,11 +100,13 @@ FolderLock::FolderLock(const fs::path& folder, bool shared) {
     const int reason = errno;
     if (reason == EWOULDBLOCK) {
         ::close(file_);
-        refuse(folder, "is being written by another run", "wait for its end, or choose another");
+        refuse(folder, "is in use by another run",
+               "wait until that run ends, or choose another folder");
     }
     // File systems of networks may know no locks of folders: then the folder is not guarded.
-    fmt::print(stderr, "note: {} cannot be locked against other runs: {}\n", folder.string(),
-               std::strerror(reason));
+    fmt::print(stderr,
+               "note: {} cannot be locked, so another run may write to it at the same time: {}\n",
+               folder.string(), std::strerror(reason));
 }
 
 FolderLock::~FolderLock() { ::close(file_); }
@@ -140,8 +142,10 @@ void clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
                     ++cleared.again;
                 }  // else labels, which are written at the end of each run
             } else if (own) {
-                refuse(out, fmt::format("holds {}, which is not of a run of it", name),
-                       "take it away, or choose another folder");
+                refuse(out,
+                       fmt::format(
+                           "holds {}, which was not written by an earlier run of this scene", name),
+                       "remove it, or choose another folder");
             }
         }
     };

@@ -31,7 +31,7 @@ std::string value(const std::string& text) {
         return c < ' ' || c == '"' || c == '%' || c == '\\' || c == 0x7f;
     });
     if (!plain) {
-        throw InputError("slurm", fmt::format("#SBATCH lines cannot have '{}'", text),
+        throw InputError("slurm", fmt::format("#SBATCH lines cannot contain '{}'", text),
                          "expected no \", %, \\ or control characters");
     }
     return '"' + text + '"';
@@ -70,7 +70,7 @@ std::string submit(const SlurmJob& job) {
     const std::string here = "cd " + word(job.work.string()) + "\n";
     const std::string array = fmt::format("--array=1-{} shard.sbatch", job.shards);
     std::string text =
-        "#!/bin/bash\n# Hands all to Slurm and prints the number of the last job.\nset -euo "
+        "#!/bin/bash\n# Submits all jobs to Slurm and prints the number of the last job.\nset -euo "
         "pipefail\n" +
         here;
     if (job.sweep) return text + "sbatch --parsable " + array + "\n";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "materials/base/number_of.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "scenes/run/scene_sky_view.hpp"
 #include "scenes/world/heights.hpp"
@@ -20,16 +21,16 @@ namespace {
 std::string targets_reported(const SolveInput& input, const SolveReport& report) {
     if (report.target_facets == 0) return "";
     std::string reported = fmt::format(
-        "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
-        "them",
-        report.target_facets);
+        "targets: heat conduction along the sheets on {}; rain, dew and snow are not modelled "
+        "there",
+        number_of(report.target_facets, "facet"));
     for (const NetworkObject& object : input.network) {
         for (const std::string& note : object.notes) reported += "; " + note;
         if (object.loose_edges == 0) continue;
         reported += fmt::format(
-            "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "
-            "over them",
-            object.loose_edges, object.name);
+            "; {} of \"{}\" without heat conduction, because no other whole edge meets them (open "
+            "ends, T-junctions)",
+            number_of(object.loose_edges, "edge"), object.name);
     }
     return reported;
 }
@@ -39,16 +40,17 @@ std::string water_reported(const SolveReport& report) {
     std::vector<std::string> parts;
     if (report.stores > 0) {
         parts.push_back(fmt::format(
-            "rain, dew, frost and snow are followed on {} facets (their light too; in the heat "
-            "balance the longwave emissivity stays that of the dry surface)",
-            report.stores));
+            "rain, dew, frost and snow are modelled on {} (including their reflectance; the heat "
+            "balance keeps the longwave emissivity of the dry surface)",
+            number_of(report.stores, "facet")));
     }
     if (report.unfollowed > 0) {
-        parts.push_back(fmt::format(
-            "on {} no rain falls and dew was left out where it is worth less than {:.2g} K of "
-            "heat, or where the ground evaporates by itself (its heat is counted, its way back, up "
-            "to {:.2g} mm, is not)",
-            report.unfollowed, std::max(0.01, report.dew_left_out), report.most_dew_unfollowed));
+        parts.push_back(
+            fmt::format("{} without rain and dew store: dew would change their temperature by less "
+                        "than {:.2g} K, or the ground evaporates by itself (dew's heat is "
+                        "included, its evaporation, up to {:.2g} mm, is not)",
+                        number_of(report.unfollowed, "facet"), std::max(0.01, report.dew_left_out),
+                        report.most_dew_unfollowed));
     }
     return parts.empty() ? "" : fmt::format("water: {}", fmt::join(parts, "; "));
 }
@@ -100,11 +102,11 @@ std::vector<std::string> StageHeat::reported(const SolveReport& report) const {
         if (!note.empty()) notes.push_back(std::move(note));
     }
     if (const double share = daily_.share_taken_over(); share > 0.0) {
-        notes.push_back(fmt::format(
-            "shadows: {:.0f} % of facets and instants have the share of days before and "
-            "after, up to {:g} degrees of the sun's way off, which agree within 2 %; the rest "
-            "is cast",
-            100.0 * share, DailySunExposure::furthest_deg));
+        notes.push_back(
+            fmt::format("shadows: {:.0f} % of the values (facet, instant) are taken from "
+                        "neighbouring days with the sun within {:g} degrees, where both days agree "
+                        "within 2 %; the others are traced",
+                        100.0 * share, DailySunExposure::furthest_deg));
     }
     return notes;
 }

@@ -182,11 +182,12 @@ void Stepper::advance(Instant to) {
     const double offset = s.scene.scene.time.utc_offset;
     const auto refuse = [&](const char* problem, Instant end) {
         throw InputError(s.scene.scene.file.string(),
-                         fmt::format("asked to go on to {}, {} {}", format_local(to, offset),
+                         fmt::format("cannot advance to {}: {} {}", format_local(to, offset),
                                      problem, format_local(end, offset)));
     };
-    if (to < s.now) refuse("before now,", s.now);
-    if (to > s.scene.scene.time.end()) refuse("behind the span's end,", s.scene.scene.time.end());
+    if (to < s.now) refuse("it is before the present time,", s.now);
+    if (to > s.scene.scene.time.end())
+        refuse("it is after the end of the span,", s.scene.scene.time.end());
     const long long wanted = s.step_before(to);
     if (wanted > s.step && s.field.instant.size() == 2) {  // the next step is solved
         s.at = std::move(s.ahead);

@@ -13,18 +13,21 @@
 namespace diurna {
 
 const std::array<StudyKind, 5>& study_kinds() {
-    static constexpr const char* solved = "netCDF file of `solve`; else they are solved";
+    static constexpr const char* solved =
+        "netCDF file of temperatures, written by solve (default: computed)";
     static constexpr std::array<StudyKind, 5> all{{
-        {"signature", "radiant and contrast intensity of objects in every direction: [[signature]]",
+        {"signature", "radiant and contrast intensity of objects in all directions: [[signature]]",
          signature_study, solved},
-        {"detection", "ranges at which an instrument's display shows objects: [[detection]]",
+        {"detection", "detection ranges of objects on an instrument's display: [[detection]]",
          detection_study, solved},
-        {"crossover", "when two things look equally warm to an observer: [[crossover]]",
-         crossover_study, "netCDF file of `solve`; else they are solved, and kept at every step"},
-        {"contrast", "how targets stand out from what is around them: [[contrast]]", contrast_study,
+        {"crossover", "times at which two regions have equal apparent temperature: [[crossover]]",
+         crossover_study,
+         "netCDF file of temperatures, written by solve (default: computed and stored at every "
+         "step)"},
+        {"contrast", "contrast of targets with their background: [[contrast]]", contrast_study,
          solved},
-        {"sensitivity", "what numbers that are not known well do to figures: [[sensitivity]]",
-         sensitivity_study, nullptr},
+        {"sensitivity", "effect of uncertain inputs on results: [[sensitivity]]", sensitivity_study,
+         nullptr},
     }};
     return all;
 }

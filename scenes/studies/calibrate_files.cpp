@@ -34,8 +34,8 @@ std::string numbers_json(const CalibrationReport& report) {
                      {"converged", fit.converged},     {"columns_run", fit.runs},
                      {"residuals_alike", fit.alike},   {"values_that_count", fit.independent}};
     json["interval"] =
-        "95 % by Student's t, wider where residuals are like those near them (Geyer 1992); "
-        "deviation is that of independent errors";
+        "95 % interval by Student's t, widened where residuals are autocorrelated (Geyer 1992); "
+        "deviation assumes independent errors";
     json["numbers"] = OrderedJson::array();
     for (std::size_t i = 0; i < report.asked.sought.size(); ++i) {
         const SoughtNumber& one = report.asked.sought[i];
@@ -57,16 +57,16 @@ std::string numbers_json(const CalibrationReport& report) {
 std::string curves_svg(const CalibrationReport& report) {
     const Instant start = report.when.front();
     const double hours = seconds_between(start, report.when.back()) / 3600.0;
-    Chart curves{.title = fmt::format("rms {:.2f} K with the numbers it began with, {:.2f} K with "
-                                      "those found",
-                                      report.fit.rms_before, report.fit.rms),
+    Chart curves{.title = fmt::format(
+                     "rms {:.2f} K with the initial values, {:.2f} K with the fitted values",
+                     report.fit.rms_before, report.fit.rms),
                  .x_title = "hours after " + format_instant(start),
                  .y_title = "K",
                  .x_last = hours,
                  .x_tick = hours > 48.0 ? 12.0 : 3.0,
                  .lines = {}};
     Chart left = curves;
-    left.title = "found less measured";
+    left.title = "computed minus measured";
     left.height = 260;
     std::vector<double> x, residual;
     for (std::size_t i = 0; i < report.when.size(); ++i) {

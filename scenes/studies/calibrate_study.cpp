@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "materials/base/files_read.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
 #include "scenes/studies/calibrate_files.hpp"
 
@@ -16,9 +17,9 @@ constexpr const char* name = "calibrate";
 
 std::string reported(const CalibrationReport& report) {
     const Fit& fit = report.fit;
-    std::string text =
-        fmt::format("{} values, {} columns run: rms {:.3f} K before, {:.3f} K after\n",
-                    report.measured.size(), fit.runs, fit.rms_before, fit.rms);
+    std::string text = fmt::format("{}, {}: rms {:.3f} K before, {:.3f} K after\n",
+                                   number_of(report.measured.size(), "measured value"),
+                                   number_of(fit.runs, "column run"), fit.rms_before, fit.rms);
     for (std::size_t i = 0; i < report.asked.sought.size(); ++i) {
         const FittedNumber& found = fit.number[i];
         text += fmt::format("  {} = {:.5g}", plain(report.asked.sought[i].key), found.value);
@@ -36,15 +37,14 @@ std::string reported(const CalibrationReport& report) {
 std::string what_has_not_settled(const CalibrationReport& report) {
     if (!report.fit.converged) {
         return fmt::format(
-            "the numbers have not settled in {} passes; narrower bounds in [calibrate], or "
-            "fewer numbers, may help",
+            "the fit has not converged in {} passes; use narrower bounds in [calibrate] or fit "
+            "fewer values",
             report.fit.passes);
     }
     return report.heat_converged
                ? ""
-               : "the spin-up of a column has not converged; a shorter "
-                 "time.longest_step_s, or time.spin_up = \"none\" with an earlier "
-                 "time.start, may help";
+               : "the spin-up of a column has not converged; reduce time.longest_step_s, or set "
+                 "time.spin_up = \"none\" with an earlier time.start";
 }
 
 }  // namespace

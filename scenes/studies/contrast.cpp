@@ -198,7 +198,8 @@ class Pictures {
         if (!movement.none() && movement.is_under_way(when)) {
             throw InputError(
                 asked.where,
-                fmt::format("at {} an object is on its way, expected pictures at which all rest",
+                fmt::format("an object moves at {}, expected pictures at instants when all objects "
+                            "are at rest",
                             format_local(when, stages_.scene().scene.time.utc_offset)));
         }
         const SceneStage stage = stages_.at(movement.none() ? 0 : movement.stage_of(when));

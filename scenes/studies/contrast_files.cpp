@@ -24,26 +24,32 @@ struct Column {
     const char* says;
 };
 constexpr std::array<Column, 14> contrast_columns{
-    {{"range_m", &ContrastRow::range, "to its nearest surface in a pixel that it fills"},
-     {"pixels", &ContrastRow::pixels, "that it covers, those at its edge by their share"},
+    {{"range_m", &ContrastRow::range,
+      "distance to the nearest surface of the target in a pixel that it fills"},
+     {"pixels", &ContrastRow::pixels,
+      "number of pixels that the target covers; edge pixels count by the share covered"},
      {"difference_K", &ContrastRow::difference,
-      "mean apparent temperature less the background's; edge pixels by the share covered"},
-     {"spread_K", &ContrastRow::spread, "standard deviation over pixels that it fills"},
-     {"rss_K", &ContrastRow::rss, "root of difference squared and spread squared"},
+      "mean apparent temperature of the target minus the background's; edge pixels are weighted by "
+      "the share covered"},
+     {"spread_K", &ContrastRow::spread, "standard deviation over pixels that the target fills"},
+     {"rss_K", &ContrastRow::rss, "root of the sum of difference squared and spread squared"},
      {"clutter_K", &ContrastRow::clutter,
-      "root mean square of standard deviations in cells of twice its size (Schmieder and "
-      "Weathersby 1983)"},
-     {"signal_to_clutter", &ContrastRow::signal_to_clutter, "difference over clutter"},
-     {"edge_K_per_pixel", &ContrastRow::edge, "mean gradient along its border (Sobel)"},
+      "root mean square of the standard deviations in cells of twice the target's size (Schmieder "
+      "and Weathersby 1983)"},
+     {"signal_to_clutter", &ContrastRow::signal_to_clutter, "difference divided by clutter"},
+     {"edge_K_per_pixel", &ContrastRow::edge, "mean gradient along the target's border (Sobel)"},
      {"background_edge_K_per_pixel", &ContrastRow::background_edge,
-      "mean gradient in its background"},
+      "mean gradient in the background"},
      {"similarity", &ContrastRow::similarity,
-      "root mean square structural similarity (Wang and others 2004) of cells as large as it, "
-      "after Chang and Zhang 2006"},
-     {"entropy_bits", &ContrastRow::entropy, "of its pixels, in steps of 0.1 K"},
-     {"background_entropy_bits", &ContrastRow::background_entropy, "of its background's"},
-     {"radiance_W_m2_sr", &ContrastRow::radiance, "mean radiance less the background's"},
-     {"weber", &ContrastRow::weber, "that over the background's"}}};
+      "root mean square structural similarity (Wang and others 2004) of cells of the target's "
+      "size, after Chang and Zhang 2006"},
+     {"entropy_bits", &ContrastRow::entropy, "entropy of the target's pixels, in steps of 0.1 K"},
+     {"background_entropy_bits", &ContrastRow::background_entropy,
+      "entropy of the background's pixels"},
+     {"radiance_W_m2_sr", &ContrastRow::radiance,
+      "mean radiance of the target minus the background's"},
+     {"weber", &ContrastRow::weber,
+      "radiance difference divided by the background's mean radiance"}}};
 
 const std::string& observer_name(const ContrastInput& input, const Scene& scene,
                                  const ContrastRow& row) {
@@ -83,8 +89,8 @@ std::string contrast_json(const ContrastInput& input, const ContrastReport& repo
                      {"threshold_K", input.threshold},
                      {"ring", input.ring}};
     json["background"] =
-        "pixels of the box around the target that is wider on each side by ring times its sides, "
-        "but for those of targets of this study: sky and other objects count";
+        "pixels of the target's box, extended on each side by ring times its width (height), "
+        "without pixels of the study's targets; sky and other objects are included";
     json["columns"] = OrderedJson::object();
     for (const Column& column : contrast_columns) {
         json["columns"][column.name] = column.says;

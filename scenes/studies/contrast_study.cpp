@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "materials/base/number_of.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/signature_scene.hpp"
 #include "terrain/place/local_time.hpp"
@@ -18,13 +19,14 @@ std::string reported(const ContrastInput& input, const ContrastReport& report, c
         const std::string& target = input.targets[w / input.bands.size()].name;
         const std::string& band = input.bands[w % input.bands.size()];
         if (worst.row >= report.row.size()) {
-            text += fmt::format("{}: {} in {} um: never seen\n", input.name, target, band);
+            text += fmt::format("{}: {} in {} um: not visible in any picture\n", input.name, target,
+                                band);
             continue;
         }
         const ContrastRow& row = report.row[worst.row];
         text += fmt::format(
-            "{}: {} in {} um: {:.2f} +- {:.2g} K at {} from {}; above {:g} K in {:.0f} % of "
-            "its pictures, {:.2f} K at best; clutter {:.2f} K\n",
+            "{}: {} in {} um: {:.2f} +- {:.2g} K at {} from {}; above {:g} K in {:.0f} % of the "
+            "pictures; lowest {:.2f} K; clutter {:.2f} K\n",
             input.name, target, band, row.rss, worst.error,
             format_local(row.when, scene.time.utc_offset),
             scene.observers[input.observers[row.observer]].name, input.threshold,
@@ -36,18 +38,16 @@ std::string reported(const ContrastInput& input, const ContrastReport& report, c
 std::vector<std::string> own_notes(const ContrastInput& input, const ContrastReport& report) {
     std::vector<std::string> notes;
     if (report.hidden > 0) {
-        notes.push_back(
-            fmt::format("{}: nothing of a target, or no background, is seen in {} of "
-                        "{} rows",
-                        input.name, report.hidden, report.row.size()));
+        notes.push_back(fmt::format("{}: target or background not visible in {} of {} rows",
+                                    input.name, report.hidden, report.row.size()));
     }
     std::size_t small = 0;
     for (const ContrastRow& row : report.row) small += row.pixels > 0.0 && row.pixels < 16.0;
     if (small > 0) {
         notes.push_back(
-            fmt::format("{}: the target covers less than 16 pixels in {} rows: spread, "
-                        "entropy and similarity are of few",
-                        input.name, small));
+            fmt::format("{}: the target covers less than 16 pixels in {}: the spread, entropy and "
+                        "similarity are inaccurate",
+                        input.name, number_of(small, "row")));
     }
     return notes;
 }

@@ -149,11 +149,12 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
     const Prepared& prepared = study.stages().scene();
     for (const CrossoverInput& input : scene.crossovers) {
         if (!prepared.movement.none() || prepared.sequences[input.observer].goes) {
-            throw InputError(input.where,
-                             fmt::format("expected a scene in which nothing goes, seen by an "
-                                         "observer that stands; found {}",
-                                         prepared.movement.none() ? "one that goes or turns"
-                                                                  : "objects that go"));
+            throw InputError(
+                input.where,
+                fmt::format(
+                    "expected a scene without moving objects and with a fixed observer; found {}",
+                    prepared.movement.none() ? "an observer that moves or turns"
+                                             : "moving objects"));
         }
         for (const UncertainInput& one : input.uncertain) {
             check_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);

@@ -101,8 +101,9 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
                      {"threshold_K", input.threshold},
                      {"touching_K", input.touching}};
     json["difference"] =
-        "apparent temperature of the first less that of the second: of the black body of the mean "
-        "radiance of the pixels that it fills alone, air included";
+        "apparent temperature of the first region minus that of the second: the black-body "
+        "temperature of the mean radiance over the pixels that the region alone fills, atmosphere "
+        "included";
     json["bands"] = OrderedJson::array();
     for (const CrossoverDay& day : report.band) {
         OrderedJson crossings = OrderedJson::array();
@@ -142,7 +143,7 @@ std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& re
     for (const CrossoverDay& day : report.band) {
         const Instant start = day.instant.front();
         const auto hours = [&](Instant when) { return seconds_between(start, when) / 3600.0; };
-        Chart chart{.title = fmt::format("{} less {}, {} um", input.first.name, input.second.name,
+        Chart chart{.title = fmt::format("{} minus {}, {} um", input.first.name, input.second.name,
                                          day.band),
                     .x_title = "hours after " + format_local(start, utc_offset),
                     .y_title = "K",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "materials/base/number_of.hpp"
 #include "scenes/studies/crossover_files.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -17,18 +18,18 @@ std::string reported(const CrossoverInput& input, const TimedCrossing& one, doub
     const std::string& warmer = one.first_warmer_after ? input.first.name : input.second.name;
     std::string text = fmt::format("  {}  ", format_local(one.when, utc_offset));
     if (one.kind == ZeroCrossing::Kind::touches) {
-        text += fmt::format("touches: {} stays warmer, {:.2g} K at the least", warmer,
+        text += fmt::format("touches: {} remains warmer, by at least {:.2g} K", warmer,
                             std::abs(one.least));
     } else if (one.kind == ZeroCrossing::Kind::jumps) {
-        text += fmt::format("{} is warmer after, at once", warmer);
+        text += fmt::format("{} is warmer afterwards (step)", warmer);
     } else {
-        text += fmt::format("{} is warmer after, {:+.2f} K/h", warmer, 3600.0 * one.slope);
+        text += fmt::format("{} is warmer afterwards, {:+.2f} K/h", warmer, 3600.0 * one.slope);
     }
     if (one.kind != ZeroCrossing::Kind::touches && !input.uncertain.empty()) {
         text += fmt::format(", +- {:.1f} min", one.sigma / 60.0);
     }
     if (one.refined) text += fmt::format(", refined by {:+.0f} s", *one.refined);
-    for (const std::string& key : gone_with(input, one)) text += ", gone with " + key;
+    for (const std::string& key : gone_with(input, one)) text += ", absent with " + key;
     return text + "\n";
 }
 
@@ -42,7 +43,7 @@ std::string reported(const CrossoverInput& input, const CrossoverReport& report,
             day.band, input.first.name, input.second.name, report.first_pixels,
             report.second_pixels, day.lost / 3600.0, hours, input.threshold);
         if (day.crossing.empty()) {
-            text += fmt::format("  no crossover: {:.2f} K apart at the least\n", day.worst_least);
+            text += fmt::format("  no crossover: smallest difference {:.2f} K\n", day.worst_least);
         }
         for (const TimedCrossing& one : day.crossing) text += reported(input, one, utc_offset);
     }
@@ -58,15 +59,15 @@ std::vector<std::string> own_notes(const CrossoverInput& input, const CrossoverR
     for (const auto& [region, pixels] : {std::pair{&input.first, report.first_pixels},
                                          std::pair{&input.second, report.second_pixels}}) {
         if (pixels >= few) continue;
-        notes.push_back(
-            fmt::format("{}: \"{}\" fills {} pixels only", input.name, region->name, pixels));
+        notes.push_back(fmt::format("{}: \"{}\" fills only {}", input.name, region->name,
+                                    number_of(pixels, "pixel")));
     }
     const double usual = seconds_between(field.instant.front(), field.instant.back()) /
                          std::max(1.0, double(field.instant.size()) - 1.0);
     if (from_file && usual > 1.5 * scene.time.step) {
         notes.push_back(
-            fmt::format("{}: temperatures are kept every {:.0f} s and straight between "
-                        "them; without --temperatures every {:g} s",
+            fmt::format("{}: temperatures are stored every {:.0f} s and interpolated linearly; "
+                        "without --temperatures the step is {:g} s",
                         input.name, usual, scene.time.step));
     }
     return notes;

@@ -45,8 +45,8 @@ SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const 
     if (seen.range < 5.0 * target.radius) {
         throw InputError(
             input.studied.where,
-            fmt::format("the instrument's observer is {:.3g} m from it, expected at "
-                        "least five times the radius of the sphere around it, {:.3g} m",
+            fmt::format("the instrument's observer is {:.3g} m away, expected at least five times "
+                        "the radius of the object's bounding sphere, {:.3g} m",
                         seen.range, target.radius));
     }
     seen.elevation_deg = degrees(std::asin(way.z() / seen.range));
@@ -54,9 +54,10 @@ SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const 
         close_up(target, close_eye(pose, target), {band}, close_samples, field, when);
     const ObjectFigures figures = picture.figures("apparent_temperature." + band);
     if (!figures.known()) {
-        throw InputError(input.studied.where,
-                         fmt::format("nothing is seen of \"{}\" by the instrument's observer at {}",
-                                     input.studied.object, format_local(when, utc_offset)));
+        throw InputError(
+            input.studied.where,
+            fmt::format("nothing of \"{}\" is visible to the instrument's observer at {}",
+                        input.studied.object, format_local(when, utc_offset)));
     }
     const double side = 2.0 * wider_detection * target.radius / close_pixels;
     seen.area = figures.covered * side * side;
@@ -94,9 +95,9 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
             if (at == sequence.frame.end()) {
                 throw InputError(
                     input.studied.where,
-                    fmt::format("observer {} goes, and has no picture at {}", observer.name,
+                    fmt::format("observer {} moves and has no picture at {}", observer.name,
                                 format_local(when, scene.time.utc_offset)),
-                    "leave frames out: its own are taken");
+                    "remove frames: the observer's own instants are used");
             }
             frame = static_cast<std::size_t>(at - sequence.frame.begin());
         }
@@ -165,21 +166,22 @@ std::vector<std::string> detection_notes(const Scene& scene, const DetectionInpu
         const Imager imager =
             imager_of(instrument.instrument, band,
                       focal_length_of(observer, instrument.instrument.detector.pitch));
-        notes.push_back(fmt::format(
-            "{}: pixels of {:.4g} mrad, MTF {:.3f} at half their rate ({:.3g} cycles/mrad), beyond "
-            "which nothing counts; NETD {:.3g} mK before 300 K; {:g} frames a second",
-            instrument.instrument.name, imager.pixel, imager.mtf_right(imager.finest()),
-            imager.finest(), 1e3 * imager.netd, imager.frame_rate));
+        notes.push_back(
+            fmt::format("{}: pixels of {:.4g} mrad, MTF {:.3f} at the Nyquist frequency ({:.3g} "
+                        "cycles/mrad), above which no signal is counted; NETD {:.3g} mK for a "
+                        "background of 300 K; {:g} frames per second",
+                        instrument.instrument.name, imager.pixel, imager.mtf_right(imager.finest()),
+                        imager.finest(), 1e3 * imager.netd, imager.frame_rate));
     }
     notes.push_back(fmt::format(
-        "display: {:g} cd/m2, magnified {:.3g} times, mean luminance for {:g} K of scene",
+        "display: {:g} cd/m2, magnification {:.3g}, mean luminance for {:g} K of scene contrast",
         input.viewing.luminance, input.viewing.magnification, input.viewing.scene_contrast));
     notes.emplace_back(
-        "temporal noise alone: what the fixed pattern's correction leaves, clutter and search are "
-        "left out; turbulence is that of the instrument's own range");
+        "only temporal noise is included: residual fixed-pattern noise, clutter and search are "
+        "omitted; turbulence is that of the instrument's own range");
     notes.emplace_back(
-        "no published example that gives all of its inputs was found: formulas are tested against "
-        "printed tables and closed forms, absolute ranges are not");
+        "absolute ranges are not validated: no published example gives all of its inputs; the "
+        "formulas are tested against printed tables and closed forms");
     return notes;
 }
 

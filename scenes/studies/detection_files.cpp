@@ -50,7 +50,7 @@ double round_tick(double span) {
 
 Chart chart_of(const DetectionInput& input, const DetectionCurve& curve, double utc_offset) {
     Chart chart{
-        .title = fmt::format("{} at {}: {:.2f} K, {:.1f} m2; dashed: Johnson's cycles",
+        .title = fmt::format("{} at {}: {:.2f} K, {:.1f} m2; dashed: Johnson's criteria",
                              input.studied.object, format_local(curve.target.when, utc_offset),
                              curve.target.contrast, curve.target.area),
         .x_title = "range, km",
@@ -80,7 +80,7 @@ Chart chart_of(const DetectionInput& input, const DetectionCurve& curve, double 
 /// Ranges of the first probability over the hours since the first instant.
 Chart by_hour(const DetectionInput& input, const std::vector<DetectionCurve>& curves,
               double utc_offset) {
-    Chart chart{.title = fmt::format("{}: range of probability {:g}; dashed: Johnson's cycles",
+    Chart chart{.title = fmt::format("{}: range of probability {:g}; dashed: Johnson's criteria",
                                      input.studied.object, input.probabilities.front()),
                 .x_title = "hours after " + format_local(curves.front().target.when, utc_offset),
                 .y_title = "km",
@@ -135,15 +135,15 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
                      {"name", input.name},
                      {"object", input.studied.object},
                      {"instrument", instrument}};
-    json["johnson"] = {{"criterion", input.across ? "least width" : "root of the area"},
-                       {"n50", input.n50},
-                       {"exponent", "2.7 + 0.7 N/N50"},
-                       {"bar_threshold", bar_threshold},
-                       {"eye_s", eye_seconds},
-                       {"source",
-                        "numbers in common use under these names, not checked against the "
-                        "originals: Johnson 1958; "
-                        "Ratches and others, ECOM-7043, 1975; ACQUIRE, NVESD 1995"}};
+    json["johnson"] = {
+        {"criterion", input.across ? "least width" : "root of the area"},
+        {"n50", input.n50},
+        {"exponent", "2.7 + 0.7 N/N50"},
+        {"bar_threshold", bar_threshold},
+        {"eye_s", eye_seconds},
+        {"source",
+         "values in common use under these names, not checked against the originals: Johnson 1958; "
+         "Ratches and others, ECOM-7043, 1975; ACQUIRE, NVESD 1995"}};
     json["ttp"] = {
         {"v50", input.v50},
         {"exponent", "1.51 + 0.24 V/V50"},
@@ -152,8 +152,8 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
         {"magnification", input.viewing.magnification},
         {"scene_contrast_K", input.viewing.scene_contrast},
         {"source",
-         "likewise: Vollmerhausen & Jacobs, AMSEL-NV-TR-230, 2004; eye: Barten, Proc. SPIE 1077, "
-         "1989, Overington 1976"}};
+         "values in common use, not checked against the originals: Vollmerhausen & Jacobs, "
+         "AMSEL-NV-TR-230, 2004; eye: Barten, Proc. SPIE 1077, 1989, Overington 1976"}};
     json["notes"] = notes;
     json["instants"] = OrderedJson::array();
     for (const DetectionCurve& curve : curves) {

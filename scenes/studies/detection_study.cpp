@@ -16,9 +16,9 @@ std::string reported(const DetectionInput& input, const std::vector<DetectionCur
                      double utc_offset) {
     std::string text;
     for (const DetectionCurve& curve : curves) {
-        text += fmt::format("{} {}: {:.2f} K at the eye {:.0f} m away, {:.1f} m2\n", input.name,
-                            format_local(curve.target.when, utc_offset), curve.target.contrast,
-                            curve.target.range, curve.target.area);
+        text += fmt::format("{} {}: {:.2f} K at the instrument, {:.0f} m away, {:.1f} m2\n",
+                            input.name, format_local(curve.target.when, utc_offset),
+                            curve.target.contrast, curve.target.range, curve.target.area);
         for (std::size_t t = 0; t < 3; ++t) {
             std::string line = fmt::format("  {:<15}", tasks[t].name);
             for (std::size_t p = 0; p < input.probabilities.size(); ++p) {
@@ -51,8 +51,9 @@ std::vector<std::string> own_notes(const DetectionInput& input,
                                    const std::vector<DetectionCurve>& curves, const Scene& scene) {
     std::vector<std::string> own = detection_notes(scene, input);
     if (const std::size_t cut = cut_off(input, curves); cut > 0) {
-        own.push_back(fmt::format("{} ranges end at range_m's ends, {:g} (told as 0) or {:g} m",
-                                  cut, input.range[0], input.range[1]));
+        own.push_back(
+            fmt::format("{} ranges are at the limits of range_m, {:g} m (written as 0) or {:g} m",
+                        cut, input.range[0], input.range[1]));
     }
     return own;
 }

@@ -36,8 +36,8 @@ OtherScene::OtherScene(Scene scene, Study& study)
     : prepared(prepare(every_step(std::move(scene)))), stages(prepared) {
     if (prepared.world.facets.size() != study.stages().scene().world.facets.size()) {
         throw InputError(prepared.scene.file.string(),
-                         "a number that is uncertain changes the ground's facets: results would "
-                         "move for that alone");
+                         "this uncertain value changes the facets of the ground, which alone would "
+                         "change the results");
     }
     SpanResult result = solve_scene(stages, study.progress());
     not_converged = diurna::not_converged(result.report);

@@ -127,7 +127,7 @@ std::vector<std::vector<std::uint32_t>> filled_pixels(const Prepared& prepared,
         throw InputError(asked[r].where,
                          fmt::format("no pixel of \"{}\" is filled by \"{}\" alone",
                                      prepared.scene.observers[observer].name, asked[r].name),
-                         "nearer, or more pixels");
+                         "move the observer nearer, or use more pixels");
     }
     return pixels;
 }

@@ -100,7 +100,7 @@ std::vector<std::string> settings_at(const SensitivityInput& input,
 void check_output(const Prepared& prepared, const SensitivityOutput& output) {
     if (!prepared.movement.none()) {
         throw InputError(output.where,
-                         "expected a scene in which nothing goes, found objects that go");
+                         "expected a scene without moving objects, found moving objects");
     }
     if (output.figure == SensitivityFigure::temperature) {
         if (!facets_of(prepared, output.first).empty()) return;
@@ -108,7 +108,7 @@ void check_output(const Prepared& prepared, const SensitivityOutput& output) {
                          fmt::format("\"{}\" has no surface", output.first.name));
     }
     if (prepared.sequences[output.observer].goes) {
-        throw InputError(output.where, "expected an observer that stands, found one that goes");
+        throw InputError(output.where, "expected a fixed observer, found a moving one");
     }
     filled_pixels(prepared, output.observer, {output.first, output.second},
                   prepared.scene.observers[output.observer].samples);
@@ -121,19 +121,19 @@ void add_notes(const SensitivityInput& input, SensitivityReport& report) {
         const std::string& name = input.outputs[o].name;
         if (std::isnan(one.base)) {
             report.notes.push_back(
-                fmt::format("{}: no such crossover in the scene as it is", name));
+                fmt::format("{}: the unchanged scene has no such crossover", name));
             continue;
         }
         for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
             for (const auto& [word, value] :
                  {std::pair{"low", one.alone[u].low}, std::pair{"high", one.alone[u].high}}) {
                 if (!std::isnan(value)) continue;
-                report.notes.push_back(fmt::format("{}: the crossover is gone with {} {}", name,
-                                                   word, input.uncertain[u].key));
+                report.notes.push_back(
+                    fmt::format("{}: no crossover with {} {}", name, word, input.uncertain[u].key));
             }
             if (one.effect.empty() || one.effect[u].count == input.trajectories) continue;
             report.notes.push_back(fmt::format(
-                "{}: {} of {} elementary effects of {} are known, the crossover is gone in others",
+                "{}: {} of {} elementary effects of {} are known; the others have no crossover",
                 name, one.effect[u].count, input.trajectories, input.uncertain[u].key));
         }
     }
@@ -146,7 +146,7 @@ void add_notes(const SensitivityInput& input, SensitivityReport& report) {
                                 one.effect[u].mean_size == 0.0);
             });
         if (idle) {
-            report.notes.push_back(fmt::format("{} changes nothing", input.uncertain[u].key));
+            report.notes.push_back(fmt::format("{} has no effect", input.uncertain[u].key));
         }
     }
 }

@@ -93,9 +93,10 @@ std::string sensitivity_json(const SensitivityInput& input, const SensitivityRep
                      {"trajectories", input.trajectories},
                      {"levels", input.levels}};
     json["elementary_effects"] =
-        "for a number's whole range (Morris 1991): mean is mu, mean_size mu*, deviation sigma";
+        "change over the whole range of a value (Morris 1991): mean is mu, mean_size mu*, "
+        "deviation sigma";
     json["deviation"] =
-        "to first order, of independent numbers that are as likely anywhere in their ranges";
+        "first order, for independent values with uniform distributions over their ranges";
     json["outputs"] = OrderedJson::array();
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const SensitivityOutput& output = input.outputs[o];
@@ -144,8 +145,8 @@ std::string sensitivity_svg(const SensitivityInput& input, const SensitivityRepo
         double y = block * double(o) + 22.0;
         const bool known = std::isfinite(one.base);
         text += fmt::format(
-            "<text class=\"t\" x=\"10\" y=\"{:.0f}\">{}: {} {}; change over each range, alone{}"
-            "</text>\n",
+            "<text class=\"t\" x=\"10\" y=\"{:.0f}\">{}: {} {}; change over each range, one at a "
+            "time{}</text>\n",
             y, escaped(input.outputs[o].name), known ? fmt::format("{:.5g}", one.base) : "none",
             known ? unit_of(input.outputs[o]) : "",
             one.effect.empty() ? "" : " (dark) and mu* (light)");

@@ -70,8 +70,8 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
              .notes = report.notes});
         if (found.not_converged.empty() && !report.converged) {
             found.not_converged = fmt::format(
-                "{}: the heat balance of a changed scene has not converged; a shorter time.step_s, "
-                "or a start from a longer weather record, may help",
+                "{}: the heat balance of a changed scene has not converged; a shorter time.step_s "
+                "or a longer weather record before the start may help",
                 input.name);
         }
     }

@@ -78,7 +78,7 @@ SignatureReport signature_of(const Stages& stages, const SignatureInput& input,
         if (input.range > 0.0 && input.range < 5.0 * target.radius) {
             throw InputError(input.studied.where,
                              fmt::format("found range_m {:g}, expected at least five times the "
-                                         "radius of the sphere around it, {:.3g} m",
+                                         "radius of the object's bounding sphere, {:.3g} m",
                                          input.range, target.radius));
         }
         const double side = 2.0 * wider * target.radius / input.pixels;  // [m] of a pixel there

@@ -127,10 +127,11 @@ std::string signature_json(const SignatureInput& input, const SignatureReport& r
     json["pixels"] = input.pixels;
     json["samples"] = input.samples;
     json["radiant_intensity"] =
-        "integral of radiance over the projected area seen, W/sr; with a range_m irradiance at the "
-        "eye times its square, air included";
+        "integral of radiance over the visible projected area, W/sr; with range_m: irradiance at "
+        "the observer times the range squared, atmosphere included";
     json["contrast_intensity"] =
-        "the same less the mean radiance of the picture around it times that area";
+        "radiant intensity minus the mean radiance of the surrounding picture times the projected "
+        "area";
     json["notes"] = notes;
     json["summary"] = OrderedJson::array();
     for (const Rows rows : discs_of(report)) {
@@ -157,7 +158,8 @@ std::string signature_svg(const SignatureInput& input, const SignatureReport& re
     text += signature_words(
         0.5 * width, 22.0,
         escaped(fmt::format(
-            "{}{}: its front up, level at the rim, above in the middle", input.studied.object,
+            "{}{}: front at the top, horizontal directions at the rim, vertical in the centre",
+            input.studied.object,
             input.range > 0.0 ? fmt::format(" from {:g} m", input.range) : std::string())),
         " font-size=\"15\"");
     std::size_t at = 0;

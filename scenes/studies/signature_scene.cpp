@@ -31,8 +31,8 @@ Prepared made_ready(Scene scene, Progress& progress) {
 GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file) {
     GivenHeat given = given_heat(prepared, file);
     if (!given.field.solved_as.empty()) {
-        throw InputError(file.string(), "was solved for certain pictures alone (tolerance_K)",
-                         "diurna solve without tolerance_K");
+        throw InputError(file.string(), "was computed for certain pictures only (tolerance_K)",
+                         "run diurna solve without tolerance_K");
     }
     return given;
 }
@@ -65,8 +65,8 @@ TemperatureField Study::heat(const std::filesystem::path& file,
         if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
         const bool within = when > field.instant.front() && when < field.instant.back();
         notes_.push_back(fmt::format(
-            "temperatures at {} are not kept: {}", format_local(when, scene().time.utc_offset),
-            within ? "straight between the nearest that are" : "the nearest that are stand in"));
+            "temperatures at {} are not stored: {}", format_local(when, scene().time.utc_offset),
+            within ? "interpolated linearly" : "the nearest stored ones are used"));
     }
     return field;
 }
@@ -91,7 +91,7 @@ StudiedTarget studied_target(const Stages& stages, const StudiedObject& studied,
     if (!movement.none() && movement.is_under_way(when)) {
         throw InputError(
             studied.where,
-            fmt::format("at {} an object is on its way, expected instants at which all rest",
+            fmt::format("an object moves at {}, expected instants when all objects are at rest",
                         format_local(when, stages.scene().scene.time.utc_offset)));
     }
     const SceneStage stage = stages.at(movement.none() ? 0 : movement.stage_of(when));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "materials/base/number_of.hpp"
 #include "scenes/studies/signature_files.hpp"
 
 namespace diurna {
@@ -10,18 +11,20 @@ namespace {
 
 std::vector<std::string> own_notes(const SignatureInput& input, const SignatureReport& report) {
     std::vector<std::string> own{
-        fmt::format("{} of {} directions lie below the level, where the ground is", report.below,
-                    input.directions)};
+        fmt::format("{} of {} directions are below the horizontal, where the ground is",
+                    report.below, input.directions)};
     if (input.range == 0.0) {
         own.emplace_back(
-            "rays begin just beyond the sphere around it: the air of some metres is before it");
+            "rays begin just outside the object's bounding sphere: the path through the air is "
+            "only a few metres");
     }
     if (report.hidden > 0) {
-        own.push_back(fmt::format("nothing of it is seen in {} rows", report.hidden));
+        own.push_back(
+            fmt::format("the object is not visible in {}", number_of(report.hidden, "row")));
     }
     if (report.alone > 0) {
-        own.push_back(
-            fmt::format("no background is seen in {} rows: their contrast is empty", report.alone));
+        own.push_back(fmt::format("no background is visible in {}, so the contrast is empty there",
+                                  number_of(report.alone, "row")));
     }
     return own;
 }

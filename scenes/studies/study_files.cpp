@@ -22,7 +22,7 @@ void check_study_files(const fs::path& out, const std::vector<std::string>& name
     std::error_code none;
     if (!fs::exists(out, none)) return;
     if (!fs::is_directory(out, none)) {
-        throw InputError(out.string(), "is no folder, expected one for the results");
+        throw InputError(out.string(), "is not a folder, expected a folder for the results");
     }
     for (const std::string& name : names) {
         for (const char* ending : {".csv", ".json", ".svg"}) {

@@ -18,7 +18,7 @@ void check_asked(const StudyRequest& request, const Scene& scene, const char* ki
                  const std::vector<std::string>& names, const char* more) {
     if (names.empty()) {
         throw InputError(scene.file.string(),
-                         fmt::format("no table [[{}]], expected one at least", kind));
+                         fmt::format("no table [[{}]], expected at least one", kind));
     }
     if (request.out.empty()) return;
     std::vector<std::string> files = names;

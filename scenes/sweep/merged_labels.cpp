@@ -137,11 +137,12 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
         by = SweepSplit::variants;
         split = drawn_split(sweep, parts, by);
         merged.notes.emplace_back(
-            "labels: all pictures are of one instant, variants are drawn for validation");
+            "labels: all pictures have the same instant; the validation set is drawn from the "
+            "variants");
     } else if (by == SweepSplit::heats && split.size() < 2) {
         merged.notes.emplace_back(
-            "labels: all variants share their temperatures (sweep.split = \"heats\"), so that all "
-            "pictures are on one side of the split");
+            "labels: all variants share their temperatures (sweep.split = \"heats\"); all pictures "
+            "are in one set of the split");
     }
     bool alike = false;
     const std::vector<std::string> classes = classes_of(parts, alike);
@@ -163,8 +164,8 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
     }
     if (!alike) {
         merged.notes.emplace_back(
-            "labels: variants differ in their classes, so that numbers of classes in labels/*.txt "
-            "do; no lists for YOLO");
+            "labels: the variants have different classes, so the class numbers in labels/*.txt "
+            "differ; no YOLO lists are written");
         return merged;
     }
     const fs::path first = out / parts.front().folder;

@@ -170,7 +170,7 @@ void check_shared(const Variant& variant, const Prepared& prepared, const Temper
     });
     if (facets && instants) return;
     throw std::runtime_error(
-        fmt::format("variant {} has other {} than those it was to share temperatures with",
+        fmt::format("variant {} has other {} than the variants that it shares temperatures with",
                     variant.name, facets ? "instants of pictures" : "facets"));
 }
 

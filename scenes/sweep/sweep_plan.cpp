@@ -27,8 +27,8 @@ std::string describe(const Sweep& sweep, const Plan& base) {
     }
     const double solves = double(sweep.solves()), variants = double(sweep.variants.size());
     text += fmt::format(
-        "  time of all {:>12.1f} s   heat {:.1f} s, pictures {:.1f} s a variant; each as the scene "
-        "stands, which follows\n",
+        "  total time  {:>12.1f} s   heat balances {:.1f} s, pictures {:.1f} s per variant; "
+        "estimated from the base scene below\n",
         solves * heat + variants * pictures, heat, pictures);
     return text;
 }

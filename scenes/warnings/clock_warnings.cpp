@@ -20,7 +20,7 @@ std::vector<Mistake> clock_warnings(const Prepared& prepared) {
         if (!used[m] || key.empty()) continue;
         warnings.push_back(
             {fmt::format("{}: material.{}.{}", scene.file.string(), material.kind(), key), change,
-             "shift the hours of a schedule that was written in solar time"});
+             "shift the hours if the schedule was written in solar time"});
     }
     return warnings;
 }

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "materials/base/number_of.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "scenes/warnings/scene_warnings.hpp"
 #include "scenes/world/some_facets.hpp"
@@ -145,14 +146,12 @@ void warn_of_pairs(const Prepared& prepared, const std::vector<Body>& bodies,
             std::string problem;
             const Body* at = b;  // the later is reported of
             if (edges_through(*a, *b, world.facets) + edges_through(*b, *a, world.facets) > 0) {
-                problem = fmt::format("reaches into \"{}\"", names(*a));
+                problem = fmt::format("intersects \"{}\"", names(*a));
             } else if (stands_inside(*b, *a, world.facets)) {
-                problem =
-                    fmt::format("stands inside \"{}\", where neither sun nor sky is", names(*a));
+                problem = fmt::format("is inside \"{}\", without sun and sky", names(*a));
             } else if (stands_inside(*a, *b, world.facets)) {
                 at = a;
-                problem =
-                    fmt::format("stands inside \"{}\", where neither sun nor sky is", names(*b));
+                problem = fmt::format("is inside \"{}\", without sun and sky", names(*b));
             }
             if (problem.empty() || ++found > most_reported) continue;
             const std::string key = key_of(prepared.scene, at->object);
@@ -164,7 +163,8 @@ void warn_of_pairs(const Prepared& prepared, const std::vector<Body>& bodies,
     if (found > most_reported) {
         warnings.push_back(
             {prepared.scene.file.string(),
-             fmt::format("{} pairs more of objects reach into one another", found - most_reported),
+             fmt::format("{}", number_of(found - most_reported, "more pair of objects intersects",
+                                         "more pairs of objects intersect")),
              ""});
     }
 }
@@ -231,21 +231,19 @@ void warn_of_stands(const Prepared& prepared, const std::vector<Body>& bodies,
             if (!goes && body.closed && stand->highest > std::max(0.5, height)) {
                 warnings.push_back(
                     {where,
-                     fmt::format("floats {:.1f} m above what is below it, more than "
+                     fmt::format("floats {:.1f} m above the surface below it, more than "
                                  "its own height of {:.1f} m",
                                  stand->highest, height),
-                     "height_above_ground_m = 0 stands it on the ground; airspeed_m_s "
-                     "says that it flies"});
+                     "height_above_ground_m = 0 places it on the ground; "
+                     "airspeed_m_s declares that it flies"});
             } else if (stand->deepest > std::max(0.3, 0.5 * height) &&
                        (object.stands.over != HeightOver::ground || object.stands.metres < 0.0)) {
                 // Of all others stand_warnings() says how deep they are, and how high.
                 warnings.push_back(
                     {where,
-                     fmt::format("is sunk {:.1f} m into the ground, of its {:.1f} m of "
-                                 "height",
+                     fmt::format("is sunk {:.1f} m into the ground; its height is {:.1f} m",
                                  stand->deepest, height),
-                     "height_above_ground_m raises it; a steep place wants another "
-                     "place_m"});
+                     "height_above_ground_m raises it; on a steep slope choose another place_m"});
             }
         }
     }
@@ -267,14 +265,14 @@ void warn_of_sizes(const Prepared& prepared, const std::vector<Body>& bodies,
             const std::string where =
                 fmt::format("{}: object.{}", scene.file.string(), object.name);
             const std::string mend =
-                "object.unit says what the mesh is in (m, cm, mm, in, ft); scale multiplies it";
+                "set object.unit to the unit of the mesh (m, cm, mm, in, ft), or use scale";
             if (size > large || (size > 20.0 && size > 0.5 * extent)) {
                 warnings.push_back(
                     {where,
-                     fmt::format("is {:.0f} m in size, in a scene of {:.0f} m", size, extent),
+                     fmt::format("has a size of {:.0f} m in a scene of {:.0f} m", size, extent),
                      mend});
             } else if (size < small) {
-                warnings.push_back({where, fmt::format("is {:.2g} m in size", size), mend});
+                warnings.push_back({where, fmt::format("has a size of {:.2g} m", size), mend});
             }
         }
     }
@@ -291,7 +289,7 @@ void warn_of_meshes(const Scene& scene, std::vector<Mistake>& warnings) {
         for (const std::string& warning : object.mesh->warnings) {
             warnings.push_back({where,
                                 fmt::format("{}: {}", object.file.filename().string(), warning),
-                                "repair the mesh if that is not intended"});
+                                "repair the mesh unless this is intended"});
         }
     }
 }

@@ -17,11 +17,11 @@ std::vector<Mistake> place_warnings(const Prepared& prepared) {
         if ((!straight && !turned) || place.norm() < 1.0) return;
         warnings.push_back(
             {scene.file.string() + ": " + key,
-             fmt::format("[{:g}, {:g}] look like {}, but are taken for metres east "
-                         "and north of the site",
-                         place.x(), place.y(),
-                         straight ? "longitude and latitude" : "latitude and longitude"),
-             "a place by latitude and longitude is written place = [latitude, longitude]"});
+             fmt::format(
+                 "[{:g}, {:g}] look like {}, but are read as metres east and north of the site",
+                 place.x(), place.y(),
+                 straight ? "longitude and latitude" : "latitude and longitude"),
+             "for latitude and longitude write place = [latitude, longitude]"});
     };
     for (const ObserverInput& observer : scene.observers) {
         const bool stands = !observer.around && observer.on.empty() && !observer.goes();

@@ -38,14 +38,13 @@ std::vector<Mistake> shape_warnings(const Prepared& prepared) {
         const bool turned = nearest_turned < far_m;
         warnings.push_back(
             {input.file.string(),
-             turned ? "none of its shapes lies near the site, and all would with latitude and "
-                      "longitude exchanged"
-                    : fmt::format("none of its shapes lies near the site: the nearest is {:.0f} km "
-                                  "away",
+             turned ? "no shape is near the site, but all would be with latitude and longitude "
+                      "exchanged"
+                    : fmt::format("no shape is near the site: the nearest is {:.0f} km away",
                                   1e-3 * nearest),
-             turned ? "GeoJSON has longitude before latitude: ogr2ogr -s_srs EPSG:4326 -t_srs "
-                      "CRS:84 OUT IN, or exchange them where the file is made"
-                    : "is it the right file? Are site.latitude_deg and site.longitude_deg right?"});
+             turned ? "GeoJSON has longitude before latitude: convert with ogr2ogr -s_srs "
+                      "EPSG:4326 -t_srs CRS:84 OUT IN, or correct the program that writes the file"
+                    : "check the file, site.latitude_deg and site.longitude_deg"});
     }
     return warnings;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "materials/base/number_of.hpp"
 #include "scenes/warnings/scene_warnings.hpp"
 #include "scenes/world/stance.hpp"
 #include "scenes/world/structures.hpp"
@@ -131,19 +132,18 @@ std::optional<Mistake> stand_warning(const Prepared& prepared, std::size_t o) {
     if (!worst) return std::nullopt;
     const std::string remedy =
         goes || object.on_slope
-            ? "the ground below it is uneven: choose another place, or give pitch_deg and roll_deg"
+            ? "the ground below it is uneven: choose another place, or set pitch_deg and roll_deg"
         : object.angles_given
-            ? "pitch_deg and roll_deg do not fit the ground's slope: leave them out, or choose "
+            ? "pitch_deg and roll_deg do not match the ground's slope: remove them, or choose "
               "another place_m"
-            : "stands = \"on_slope\" lays it on the ground; one that stands upright may be sunk by "
-              "height_above_ground_m, or stand elsewhere (place_m)";
-    return Mistake{
-        fmt::format("{}: object.{}", scene.file.string(), object.name),
-        fmt::format("its contact points (wheels, corners) are buried up to {:.2f} m in the ground "
-                    "and float up to {:.2f} m above it{}, allowed are {:g} m",
-                    std::max(0.0, -worst->lowest), std::max(0.0, worst->highest),
-                    goes ? " along its trajectory" : "", allowed_gap),
-        remedy};
+            : "stands = \"on_slope\" tilts it with the ground; for an upright object lower it by "
+              "height_above_ground_m or choose another place_m";
+    return Mistake{fmt::format("{}: object.{}", scene.file.string(), object.name),
+                   fmt::format("its contact points (wheels, corners) are buried up to {:.2f} m in "
+                               "the ground and float up to {:.2f} m above it{} (limit {:g} m)",
+                               std::max(0.0, -worst->lowest), std::max(0.0, worst->highest),
+                               goes ? " along its trajectory" : "", allowed_gap),
+                   remedy};
 }
 
 }  // namespace
@@ -156,12 +156,12 @@ std::vector<Mistake> stand_warnings(const Prepared& prepared) {
         if (warning && ++found <= most_stands) warnings.push_back(std::move(*warning));
     }
     if (found > most_stands) {
-        warnings.push_back(
-            {prepared.scene.file.string(),
-             fmt::format("{} objects more are buried in the ground or float above it "
-                         "by more than {:g} m",
-                         found - most_stands, allowed_gap),
-             ""});
+        warnings.push_back({prepared.scene.file.string(),
+                            fmt::format("{} in the ground or floating above it by more than {:g} m",
+                                        number_of(found - most_stands, "more object is buried",
+                                                  "more objects are buried"),
+                                        allowed_gap),
+                            ""});
     }
     return warnings;
 }

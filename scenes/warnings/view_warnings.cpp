@@ -95,12 +95,11 @@ void warn_of_target(const Prepared& prepared, std::size_t o, std::vector<Mistake
         best.seen == 0
             ? fmt::format("does not see \"{}\": \"{}\" hides it", target, best.hidden_by)
             : fmt::format(
-                  "sees {:.0f} % of the surfaces of \"{}\" that face it: \"{}\" hides the "
-                  "others",
+                  "sees {:.0f} % of the surfaces of \"{}\" that face it: \"{}\" hides the others",
                   std::ceil(100.0 * most), target, best.hidden_by);
     warnings.push_back(
         {fmt::format("{}: observer.{}", prepared.scene.file.string(), input.name), problem,
-         input.around ? "around: another aspect_deg, a greater elevation_deg or a smaller range_m; "
+         input.around ? "change aspect_deg, increase elevation_deg or reduce range_m of around; "
                         "if_hidden = \"draw_again\" draws another aspect"
                       : "move place_m, or raise height_above_ground_m"});
 }
@@ -141,31 +140,30 @@ std::vector<Mistake> view_warnings(const Prepared& prepared) {
             const std::string& material = prepared.scene.materials[border->material].kind();
             warnings.push_back(
                 {where,
-                 fmt::format(
-                     "{:.0f} % of its picture{} look down beyond the elevation raster, where "
-                     "the ground goes on to the horizon as {} at {:.0f} m above the sea, as "
-                     "warm as at the raster's edge, without relief, labels or objects",
-                     std::ceil(100.0 * beyond), looked > 1 ? ", at the most," : "", material,
-                     border->height),
-                 "a larger raster (terrain.elevation, terrain.radius_m), or a camera that is "
-                 "nearer, shows ground there"});
+                 fmt::format("{:.0f} % of its picture{} is ground beyond the elevation raster, "
+                             "modelled to the horizon as {} at {:.0f} m above the sea, with the "
+                             "temperature at the raster's edge, without relief, labels or objects",
+                             std::ceil(100.0 * beyond), looked > 1 ? " (at most)" : "", material,
+                             border->height),
+                 "use a larger raster (terrain.elevation, terrain.radius_m) or a nearer camera"});
         }
         if (sky == looked) {
             warnings.push_back(
                 {where,
-                 fmt::format("sees nothing {} (it looks to {:.0f} degrees from north, {:.1f} "
-                             "above the horizon)",
+                 fmt::format("sees nothing {} (it looks to {:.0f} degrees from north, {:.1f} above "
+                             "the horizon)",
                              beyond > 0.0 ? "of the elevation raster" : "but sky",
                              std::fmod(first->azimuth_deg + 360.0, 360.0), first->elevation_deg),
-                 "elevation_deg below zero looks down; look_at = \"NAME\" or look_at_m points it"});
+                 "a negative elevation_deg looks down; look_at = \"NAME\" or look_at_m points the "
+                 "camera"});
         } else if (near == looked) {
             const FacetSet& facets = prepared.world.facets;
             const auto object = std::size_t(facets.object[facet]);
             warnings.push_back(
                 {where,
-                 fmt::format("sees nothing beyond {:.2g} m: \"{}\" stands right before "
-                             "its lens",
-                             furthest, prepared.world.objects[object]),
+                 fmt::format(
+                     "sees nothing beyond {:.2g} m: \"{}\" is directly in front of its lens",
+                     furthest, prepared.world.objects[object]),
                  "move place_m, height_above_ground_m or mount_m"});
         }
     }

@@ -49,21 +49,24 @@ void check_table(const Scene& scene, const World& world, std::span<const Observe
     constexpr double slack = 1e-3;  // [km]
     const auto inside = [&](const char* what, double low, double high, double least, double most) {
         if (low >= least - slack && high <= most + slack) return;
-        throw InputError(where, fmt::format("{} from {:.3f} to {:.3f} km, the table has {:.3f} to "
-                                            "{:.3f} km",
-                                            what, low, high, least, most));
+        throw InputError(
+            where,
+            fmt::format("{} from {:.3f} to {:.3f} km, but the table covers {:.3f} to {:.3f} km",
+                        what, low, high, least, most));
     };
     const double sea_km = world.sea_level_height / 1000.0;
     const HeightSpan ground = heights_of_surfaces(world);
     const double low = std::min(sea_km, 1e-3 * ground.low);
     const double high = std::max(sea_km, 1e-3 * ground.high);
     double farthest = 0.0;
-    inside("surfaces lie", low, high, span.least_to_km, span.most_to_km);
-    inside("surfaces that see the sky lie", low, high, span.least_sky_km, span.most_sky_km);
+    inside("surfaces are at heights", low, high, span.least_to_km, span.most_to_km);
+    inside("surfaces with a view of the sky are at heights", low, high, span.least_sky_km,
+           span.most_sky_km);
     for (const Observer& observer : observers) {
         const double eye_km = 1e-3 * height_above_sea(world, observer.position);
-        inside("observers look", eye_km, eye_km, span.least_from_km, span.most_from_km);
-        inside("observers see the sky", eye_km, eye_km, span.least_sky_km, span.most_sky_km);
+        inside("observers are at heights", eye_km, eye_km, span.least_from_km, span.most_from_km);
+        inside("observers with a view of the sky are at heights", eye_km, eye_km, span.least_sky_km,
+               span.most_sky_km);
         for (const Eigen::Vector3f& vertex : world.facets.vertex) {
             farthest = std::max(farthest, (vertex.cast<double>() - observer.position).norm());
         }
@@ -72,16 +75,16 @@ void check_table(const Scene& scene, const World& world, std::span<const Observe
         farthest = std::max(
             farthest, 1e3 * std::sqrt(above_km * (2.0 * (earth_radius_km + sea_km) + above_km)));
     }
-    inside("lines of sight, to the plain's horizon, go", 0.0, 1e-3 * farthest, 0.0,
+    inside("lines of sight, to the plain's horizon, have ranges", 0.0, 1e-3 * farthest, 0.0,
            span.most_range_km);
 }
 
 std::vector<std::string> table_notes(const Scene& scene) {
     if (!scene.air.table) return {};
     return {
-        fmt::format("the air is a table of {} paths of {}, the same at every instant: weather's "
-                    "rain and cloud and scattered sunlight are not in the pictures' air; error "
-                    "of interpolation between its paths not measured",
+        fmt::format("the atmosphere is a table of {} paths from {}, the same at every instant: "
+                    "rain, cloud and scattered sunlight do not affect the path radiance; the "
+                    "interpolation error between its paths is not measured",
                     scene.air.table->span.paths, scene.air.table_file.filename().string())};
 }
 

@@ -35,8 +35,8 @@ class Contacts {
         const std::vector<TouchingFacets> pairs = touching_facets(facets_, a, b, contact.gap);
         if (pairs.empty()) {
             throw InputError(contact.where,
-                             fmt::format("object \"{}\": nothing of \"{}\" lies within {:g} m on "
-                                         "\"{}\", expected it lower or a larger gap_m",
+                             fmt::format("object \"{}\": no facet of \"{}\" is within {:g} m of "
+                                         "\"{}\", expected a lower place or a larger gap_m",
                                          input.name, contact.part, contact.gap, contact.on));
         }
         for (const TouchingFacets& pair : pairs) join(input, contact, pair);
@@ -51,11 +51,12 @@ class Contacts {
         for (std::size_t n = 0; n < network.facet.size(); ++n) {
             const double share = covered_[n] / network.facet[n].area;
             if (share > 1.05) {
-                throw InputError(input.where,
-                                 fmt::format("object \"{}\": a facet lies on others by {:.0f} % of "
-                                             "its area, expected one thing below it (textured "
-                                             "ground has several)",
-                                             input.name, 100.0 * share));
+                throw InputError(
+                    input.where,
+                    fmt::format(
+                        "object \"{}\": a facet lies on several surfaces, one by {:.0f} % of its "
+                        "area, expected one surface below it (textured ground has several)",
+                        input.name, 100.0 * share));
             }
             network.facet[n].open = std::max(0.0, 1.0 - share);
         }
@@ -81,12 +82,13 @@ class Contacts {
         if (taken_[f] || !plain_layers(material.thermal)) {
             throw InputError(
                 contact.where,
-                taken_[f] ? fmt::format("object \"{}\" lies on a facet of the ground that another "
-                                        "object lies on too, expected finer ground there",
-                                        input.name)
-                          : fmt::format("object \"{}\" lies on {}, which has leaves, snow, water "
-                                        "that freezes or a schedule; a contact knows plain layers",
-                                        input.name, material.name));
+                taken_[f]
+                    ? fmt::format("object \"{}\" lies on a ground facet that carries another "
+                                  "object, expected finer ground there",
+                                  input.name)
+                    : fmt::format("object \"{}\" lies on {}, which has leaves, snow, water that "
+                                  "freezes or a schedule; a contact supports plain layers only",
+                                  input.name, material.name));
         }
         taken_[f] = true;
         covered_.push_back(0.0);

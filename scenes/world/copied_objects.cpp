@@ -48,10 +48,9 @@ std::vector<CopySet> sets_of(const Scene& scene) {
 void refuse_textures(const Scene& scene, const ObjectInput& object) {
     for (const std::string& material : object.material) {
         if (scene.texture_uses.of_material.count(material) == 0) continue;
-        throw InputError(object.where,
-                         fmt::format("object \"{}\" has copies and is of {}, on which a texture "
-                                     "lies, expected another material",
-                                     object.copy_of, material));
+        throw InputError(object.where, fmt::format("object \"{}\" has copies and the material {}, "
+                                                   "which has a texture, expected another material",
+                                                   object.copy_of, material));
     }
 }
 
@@ -111,26 +110,26 @@ Shared shared_among(const CopySet& set, const SurroundingsSampler& sampler,
 std::string reported(const ObjectInput& object, const CopySet& set, const Shared& shared,
                      bool some_go) {
     if (object.alike_within == 0.0) {
-        return fmt::format("copies: {} copies of '{}' have temperatures of their own each",
-                           set.count, object.copy_of);
+        return fmt::format("copies: {} copies of '{}' have separate temperatures", set.count,
+                           object.copy_of);
     }
-    std::string note = fmt::format("copies: {} copies of '{}' share the temperatures of {}",
-                                   set.count, object.copy_of, shared.own);
+    std::string note =
+        fmt::format("copies: {} copies of '{}' share the temperatures of {} representatives",
+                    set.count, object.copy_of, shared.own);
     if (shared.own == set.count) {
         return fmt::format(
-            "copies: {} copies of '{}' have temperatures of their own each: no two head within "
-            "{:g} degrees of each other and are alike within copies_alike_K = {:g}",
+            "copies: {} copies of '{}' have separate temperatures: no two have headings within "
+            "{:g} degrees and differ by less than copies_alike_K = {:g}",
             set.count, object.copy_of, SurroundingsSampler::furthest_heading_deg,
             object.alike_within);
     }
     return note +
            fmt::format(
-               ": estimated {:.2g} K apart at the most in the mean over the surface at the "
-               "worst hour (copies_alike_K = {:g}), and {:.0f} K at single places, where a "
-               "shadow's edge lies otherwise; sunlight on a copy is that on its like, but "
-               "for edges of shadows",
+               ": estimated difference at the worst hour at most {:.2g} K in the mean over the "
+               "surface (limit copies_alike_K = {:g}), {:.0f} K at single places near shadow "
+               "edges; a copy receives the sunlight of its representative, except at shadow edges",
                shared.mean, object.alike_within, shared.worst) +
-           (some_go ? "; objects that go were compared where their ways begin" : "");
+           (some_go ? "; moving objects were compared at the start of their trajectories" : "");
 }
 
 /// Of copies that stand in one another.
@@ -146,10 +145,10 @@ std::string overlap_note(const Scene& scene, const std::vector<CopySet>& sets,
         }
     }
     return fmt::format(
-        "copies: the boxes round {} of copies reach into one another, \"{}\" and \"{}\" by "
-        "{:.2g} m",
-        found.pairs == 1 ? "a pair" : fmt::format("{} pairs", found.pairs), name[found.worst.first],
-        name[found.worst.second], found.deepest);
+        "copies: the bounding boxes of {} of copies intersect; the largest overlap is \"{}\" and "
+        "\"{}\", {:.2g} m",
+        found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs),
+        name[found.worst.first], name[found.worst.second], found.deepest);
 }
 
 }  // namespace

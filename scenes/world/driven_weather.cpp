@@ -128,7 +128,7 @@ Weather driven_weather(const Scene& scene, const World& world, const SkySeries& 
                    (sunlight   ? "longwave"
                     : longwave ? "sunlight"
                                : "sunlight and longwave") +
-                   (part ? " where not measured" : "") + " by the scene's atmosphere";
+                   (part ? " where not measured" : "") + " from the scene's atmosphere";
     if (sunlight) {
         return with_longwave(scene, world, std::move(driven), instants.front(), instants.back());
     }

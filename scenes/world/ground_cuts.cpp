@@ -109,7 +109,7 @@ void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, cons
     throw InputError(
         way != nullptr ? way->where : object.where,
         fmt::format("\"{}\" {} east {:g} m, north {:g} m, outside the elevation data", object.name,
-                    way != nullptr ? "goes to" : "stands at", place.x(), place.y()));
+                    way != nullptr ? "extends to" : "is at", place.x(), place.y()));
 }
 
 /// Round objects, for their shadows. Throws InputError for one outside the raster.
@@ -202,8 +202,8 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
         if (clipped(ring, dem.columns, dem.rows).size() < 3) {
             throw InputError(
                 polygon.where,
-                fmt::format("ground \"{}\" lies wholly outside the elevation data", polygon.name),
-                "its corners are metres east and north of the site");
+                fmt::format("ground \"{}\" is entirely outside the elevation data", polygon.name),
+                "its corners are in metres east and north of the site");
         }
         cuts.add({ring, polygon.largest_edge}, polygon.material,
                  polygon.material.empty() ? 0 : object);

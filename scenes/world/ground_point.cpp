@@ -28,7 +28,7 @@ Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vect
     const auto ground = ground_if_any(dem, site, place);
     if (ground) return *ground;
     throw InputError(where,
-                     fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
+                     fmt::format("east {:g} m, north {:g} m is outside {} or over a void",
                                  place.x(), place.y(), dem.source),
                      hint);
 }

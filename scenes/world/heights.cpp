@@ -32,9 +32,8 @@ Eigen::Vector3d stand_point(const World& world, const Dem& dem, const Eigen::Vec
     if (height.over != HeightOver::ground) {
         return {place.x(), place.y(), up_of(world, place, height)};
     }
-    const auto ground =
-        ground_point(dem, world.site, place, where,
-                     "there height_above_sea_m or height_above_ellipsoid_m says how high it is");
+    const auto ground = ground_point(dem, world.site, place, where,
+                                     "there, set height_above_sea_m or height_above_ellipsoid_m");
     return ground + Eigen::Vector3d(0.0, 0.0, height.metres);
 }
 
@@ -96,19 +95,19 @@ std::string height_note(const Scene& scene, const World& world, const Weather& w
     const AirByHeight rule = air_by_height(scene, weather);
     if (rule.same_everywhere()) {
         return fmt::format(
-            "all ground from {:.0f} to {:.0f} m has the air of the weather's "
-            "station at {:.0f} m: weather.lapse is 0",
+            "all ground from {:.0f} to {:.0f} m uses the air of the weather station at {:.0f} m: "
+            "weather.lapse is 0",
             span.low, span.high, weather.height);
     }
     std::string note = fmt::format(
-        "air, sky and sun of ground from {:.0f} to {:.0f} m are taken there from the weather's "
-        "station at {:.0f} m, {}; wind as it is",
+        "air temperature, sky and sun for ground from {:.0f} to {:.0f} m are adjusted from the "
+        "weather station at {:.0f} m, by {}; the wind is unchanged",
         span.low, span.high, weather.height,
-        rule.profile ? "after the profile" : fmt::format("{:g} K/km", 1e3 * rule.lapse));
+        rule.profile ? "the profile" : fmt::format("{:g} K/km", 1e3 * rule.lapse));
     if (down > far_below) {
         note += fmt::format(
-            "; ground lies up to {:.0f} m below the station: cold pools of still, clear nights are "
-            "not modelled",
+            "; ground is up to {:.0f} m below the station: cold-air pools on clear, calm nights "
+            "are not modelled",
             down);
     }
     return note;

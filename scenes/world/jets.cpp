@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/base/number_of.hpp"
 #include "scenes/world/joined_columns.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -185,9 +186,8 @@ class Blowing {
         const bool goes = !input.trajectory.empty();
         const std::string who = fmt::format("the jet \"{}\" of \"{}\"", reported.name, input.name);
         if (way.shut()) {
-            all_[t].notes.push_back(who +
-                                    " meets something right at its outlet, which lies within "
-                                    "the mesh, or close before something");
+            all_[t].notes.push_back(
+                who + " is blocked at its outlet, by its own mesh or by a surface close to it");
         }
         struct Found {
             std::uint32_t facet;
@@ -232,11 +232,12 @@ class Blowing {
         tell(t, who, area, share, has);
         if (left_out > 0) {
             all_[t].notes.push_back(fmt::format(
-                "{} does not warm {} facets ({:.1f} m2) that it meets: {}", who, left_out,
-                left_area,
-                goes ? "of an object that goes it warms its own alone"
-                     : "they have leaves, snow, water that freezes, a schedule or a back, go by "
-                       "themselves, or are another target's while its gas is as warm as a lump"));
+                "{} does not heat {} ({:.1f} m2) in its path: {}", who,
+                number_of(left_out, "facet"), left_area,
+                goes ? "the jet of a moving object heats that object only"
+                     : "they have leaves, snow, water that freezes, a schedule or a back side, "
+                       "move by themselves, or belong to another target while the jet's "
+                       "temperature is that of a lump"));
         }
     }
 
@@ -252,16 +253,15 @@ class Blowing {
 
     void tell(std::size_t t, const std::string& who, double area, double share, double has) {
         if (area == 0.0) {
-            all_[t].notes.push_back(who + " meets nothing that it warms");
+            all_[t].notes.push_back(who + " reaches no surface that it can heat");
             return;
         }
         all_[t].notes.push_back(fmt::format(
-            "{} gives up to {:.3g} % of its {:.3g} W/K to {:.2g} m2{}", who,
+            "{} transfers up to {:.3g} % of its {:.3g} W/K to {:.2g} m2{}", who,
             100.0 * std::min(1.0, share), has, area,
-            share > 1.0 ? fmt::format(", {:.2g} times as much as it has before it was brought down "
-                                      "to that",
-                                      share)
-                        : std::string()));
+            share > 1.0
+                ? fmt::format(", after reduction from {:.2g} times the available heat flow", share)
+                : std::string()));
     }
 
     const World& world_;
@@ -282,10 +282,9 @@ void compare_plumes(const World& world, const Scene& scene, std::vector<NetworkO
                 const double away = (plume.place - jet.outlet.head<2>()).norm();
                 if (away > plume.radius + jet.jet.diameter) continue;
                 if (!(plume.temperature > jet.jet.temperature) || !reported.lump.empty()) continue;
-                all[t].notes.push_back(
-                    fmt::format("the plume \"{}\" is {:g} K at the outlet of the jet \"{}\" of "
-                                "{:g} K",
-                                plume.name, plume.temperature, reported.name, reported.kelvin));
+                all[t].notes.push_back(fmt::format(
+                    "the plume \"{}\" has {:g} K at the outlet of the jet \"{}\" of {:g} K",
+                    plume.name, plume.temperature, reported.name, reported.kelvin));
             }
         }
     }

@@ -57,7 +57,7 @@ struct LeftOut {
     }
     void tell(const ShapesInput& input, const char* why, std::vector<std::string>& notes) const {
         if (count == 0) return;
-        notes.push_back(fmt::format("{}: {} building{} {} left out, the first is feature {}",
+        notes.push_back(fmt::format("{}: {} building{} {} left out; the first is feature {}",
                                     input.file.string(), count, count == 1 ? "" : "s", why, first));
     }
 };
@@ -112,10 +112,10 @@ void leave_out_twins(ShapeBuildings& found) {
         at[{column, row}].push_back(i);
     }
     if (twins == 0) return;
-    found.notes.push_back(fmt::format(
-        "{} building{} on the plan of another left out, the higher of the two is built; the first "
-        "is {}",
-        twins, twins == 1 ? "" : "s", found.building[first].prism.where));
+    found.notes.push_back(
+        fmt::format("{} building{} with the same plan as another left out (the higher one is "
+                    "used); the first is {}",
+                    twins, twins == 1 ? "" : "s", found.building[first].prism.where));
     std::vector<ShapeBuilding> kept;
     for (std::size_t i = 0; i < found.building.size(); ++i) {
         if (!is_twin[i]) kept.push_back(std::move(found.building[i]));
@@ -201,7 +201,7 @@ ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem
                                       i});
         }
         flat.tell(input, "without a height above 0 m", found.notes);
-        away.tell(input, "beyond the elevation data or on void posts", found.notes);
+        away.tell(input, "outside the elevation data or on void posts", found.notes);
     }
     leave_out_twins(found);
     return found;

@@ -29,16 +29,15 @@ MeasuredAlbedo measured_albedo(const Scene& scene, const World& world, const Wea
     std::set<std::string> kinds;
     for (const MaterialId id : used) kinds.insert(materials[id].kind());
     if (over.empty() && kinds.size() > 1) {
-        return {.note = fmt::format("shortwave_up is not used: which of the {} materials it was "
-                                    "measured over, measured_over of [weather] says",
+        return {.note = fmt::format("shortwave_up is not used: set weather.measured_over to the "
+                                    "one of the {} materials below the sensor",
                                     kinds.size())};
     }
     if (over.empty()) over = *kinds.begin();
     if (kinds.count(over) == 0) {
-        return {.note =
-                    fmt::format("shortwave_up is not used: no surface is of \"{}\", which it was "
-                                "measured over",
-                                over)};
+        return {.note = fmt::format("shortwave_up is not used: no surface is of \"{}\", the "
+                                    "material of weather.measured_over",
+                                    over)};
     }
     const double own = materials[materials.find(over)].thermal.albedo;
     MeasuredAlbedo measured{.share = std::vector<double>(materials.size(), 0.0)};

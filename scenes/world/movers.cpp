@@ -82,10 +82,10 @@ ObjectCourse::ObjectCourse(const ObjectInput& object, const Scene& scene, const 
     way_.emplace(way_of(object, scene), dem, world);
     if (!object.angles_given || !way_->has_attitude()) return;
     throw InputError(object.where,
-                     fmt::format("object \"{}\" has pitch_deg or roll_deg beside the trajectory "
-                                 "\"{}\", whose file gives its attitude",
+                     fmt::format("object \"{}\" has pitch_deg or roll_deg as well as the "
+                                 "trajectory \"{}\", whose file has the attitude",
                                  object.name, object.trajectory),
-                     "leave out the one or the other");
+                     "remove one of them");
 }
 
 Stance ObjectCourse::stance(Instant when) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "materials/base/number_of.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/ray_scene.hpp"
@@ -81,13 +82,14 @@ std::string rain_note(const World& world, const MaterialLibrary& materials, cons
     std::string note;
     if (covered > 0) {
         note = fmt::format(
-            "rain and snow fall straight down: {} facets that face up lie under roofs, panes or "
-            "nets, wholly or in part, and get none of what those keep off",
-            covered);
+            "rain and snow fall vertically: {} wholly or partly under roofs, panes or nets and "
+            "receive only what those let through",
+            number_of(covered, "upward facet is", "upward facets are"));
     }
     if (flying > 0) {
-        note += fmt::format("{}{} facets are in flight and gather none of it",
-                            note.empty() ? "rain and snow: " : "; ", flying);
+        note += fmt::format("{}{} in flight and without rain or snow",
+                            note.empty() ? "rain and snow: " : "; ",
+                            number_of(flying, "facet is", "facets are"));
     }
     return note;
 }

@@ -90,11 +90,11 @@ void refuse_buried(const ObjectInput& object, std::span<const Eigen::Vector3f> v
         if (highest > 0.0) return;
     }
     throw InputError(object.where,
-                     fmt::format("found {:g} for object \"{}\", whose highest point then lies "
+                     fmt::format("found {:g} for object \"{}\", which puts its highest point "
                                  "{:.2f} m below the ground; expected more than {:.1f}",
                                  object.stands.metres, object.name, -highest,
                                  std::round(10.0 * (object.stands.metres - highest)) / 10.0 + 0.0),
-                     "it may stand partly in the ground, not wholly");
+                     "an object may be partly in the ground, not wholly");
 }
 
 ObjectId object_id(const Scene& scene, std::size_t object) {
@@ -118,7 +118,7 @@ void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, s
     if (lies_in_the_ground(input)) {
         stance.base.z() += off_the_ground;
         world.notes.push_back(
-            fmt::format("{}: a flat sheet on the ground, lifted by {:g} m", where, off_the_ground));
+            fmt::format("{}: a flat sheet on the ground, raised by {:g} m", where, off_the_ground));
     }
     for (const std::string& note : input.notes) {
         world.notes.push_back(fmt::format("{}: {}", where, note));

@@ -49,9 +49,9 @@ void refuse_beyond_network(const ObjectInput& input, std::size_t part,
         return;
     }
     throw InputError(input.where,
-                     fmt::format("object \"{}\": its part \"{}\" is of {}, which has leaves, snow, "
-                                 "water that freezes or a schedule; a part knows plain layers, "
-                                 "and heat by its own `hours`",
+                     fmt::format("object \"{}\": the material of its part \"{}\" is {}, which has "
+                                 "leaves, snow, water that freezes or a schedule; parts support "
+                                 "plain layers, with heat by their own `hours`",
                                  input.name, part_input(input, part).name, input.material[part]));
 }
 
@@ -290,8 +290,8 @@ class Builder {
             NetworkFacet& facet = network().facet[n];
             if (facet.lump[behind_touched] != no_number) {
                 throw InputError(where,
-                                 "joins a part that something touches already, expected one "
-                                 "link or temperature_K for a part");
+                                 "connects to a part that already touches another surface, "
+                                 "expected one link or temperature_K per part");
             }
             facet.lump[behind_touched] = lump;
             facet.contact = film;
@@ -360,8 +360,8 @@ class Builder {
                 [&](const NetworkObject::Source& source) { return source.lump == number; });
             if (leads[lump] || (!heated && network().lump[lump].capacity > 0.0)) continue;
             throw InputError(input_.where,
-                             fmt::format("object \"{}\": '{}' has no way for its heat, expected a "
-                                         "link, a stream or a part that looks into it",
+                             fmt::format("object \"{}\": '{}' has no heat path, expected a link, a "
+                                         "stream or a part that faces it",
                                          input_.name, name));
         }
     }
@@ -386,7 +386,7 @@ void tell_idle(const ObjectInput& input, const TimeInput& time, NetworkObject& o
         const ClockHours hours{windows, time.utc_offset};
         if (windows.empty() || hours.mean(time.start, time.end()) > 0.0) return;
         object.notes.push_back(
-            fmt::format("no hour of the {} \"{}\" of \"{}\" lies within the span: it does nothing",
+            fmt::format("no hour of the {} \"{}\" of \"{}\" is within the span: it has no effect",
                         what, name, input.name));
     };
     for (const PartInput& part : input.target.part) tell("part", part.name, part.hours);

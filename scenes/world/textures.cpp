@@ -44,12 +44,12 @@ Values clutter_values(const TextureInput& texture, const Material& material) {
     const double mean = texture.mean.value_or(parameter.own);
     const double room = std::min(mean, parameter.most - mean);
     if (widest * texture.deviation > room + 1e-12) {
-        throw InputError(texture.where,
-                         fmt::format("std = {:g} about {:.3g} on material \"{}\": more than a "
-                                     "fortieth would be cut off at 0 or {:.3g}, expected at most "
-                                     "{:.3g}",
-                                     texture.deviation, mean, material.name, parameter.most,
-                                     std::max(0.0, room / widest)));
+        throw InputError(
+            texture.where,
+            fmt::format("std = {:g} about {:.3g} on material \"{}\": more than 2.5 % of values "
+                        "would be cut off at 0 or {:.3g}, expected at most {:.3g}",
+                        texture.deviation, mean, material.name, parameter.most,
+                        std::max(0.0, room / widest)));
     }
     return {std::max(0.0, mean - furthest * texture.deviation),
             std::min(parameter.most, mean + furthest * texture.deviation), mean};
@@ -66,8 +66,8 @@ Values image_values(const TextureInput& texture, const Material& material) {
     const Parameter parameter = parameter_of(material, texture.what);
     if (most > parameter.most + 1e-6) {
         throw InputError(texture.where,
-                         fmt::format("has values to {:.3g} on material \"{}\", expected at most "
-                                     "{:.3g}: it is transparent for the rest",
+                         fmt::format("has values up to {:.3g} on material \"{}\", expected at most "
+                                     "{:.3g}: the material transmits the rest",
                                      most, material.name, parameter.most));
     }
     return {std::min(least, parameter.own), std::max(most, parameter.own), parameter.own};
@@ -124,8 +124,8 @@ RasterTexture raster_of(const TextureInput& texture, const World& world, bool on
     }
     if (on_object) {
         throw InputError(texture.where,
-                         "lies on an object, which its georeference knows nothing of",
-                         "give metres_per_texel");
+                         "the texture is on an object, but its georeference applies to ground only",
+                         "set metres_per_texel");
     }
     double reach = 0.0, worst = 0.0;
     for (std::size_t f = 0; f < world.ground_facets; ++f) {
@@ -133,9 +133,10 @@ RasterTexture raster_of(const TextureInput& texture, const World& world, bool on
     }
     layout.to_texel = texels_from_site(image, world.site, reach, &worst);
     if (worst > 0.5) {
-        throw InputError(texture.where, fmt::format("its CRS bends by {:.1f} texels over the scene "
-                                                    "against a parabola, expected half a texel",
-                                                    worst));
+        throw InputError(texture.where,
+                         fmt::format("its CRS deviates from a parabola by {:.1f} texels over the "
+                                     "scene, expected at most half a texel",
+                                     worst));
     }
     return RasterTexture(std::move(layout));
 }

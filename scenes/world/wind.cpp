@@ -292,8 +292,9 @@ std::string lee_note(const World& world, const std::vector<FilmPart>& parts) {
     }
     if (fewer == 0) return "";
     return fmt::format(
-        "wind: {:.3g} % of the ground's facets lie in the lee of buildings or objects (mean of all "
-        "directions), where down to {:.2f} of the wind is left; trees take none off",
+        "wind: {:.3g} % of ground facets are in the lee of buildings or objects (mean over all "
+        "directions), where the wind speed is reduced to as little as {:.2f} of its value; trees "
+        "do not reduce it",
         100.0 * double(fewer) / double(world.ground_facets), least);
 }
 

@@ -18,9 +18,9 @@ Tin affordable_tin(const Dem& dem, double tolerance) {
     const double valid = posts - static_cast<double>(dem.voids);
     if (valid * a_grid_post <= room) return full_grid(dem);
     throw InputError(dem.source,
-                     fmt::format("a mesh to {:g} m does not fit into {:.0f} MB", tolerance,
-                                 1e-6 * (20.0 * posts + 200e6)),
-                     "a coarser tolerance, or a part of the raster");
+                     fmt::format("a mesh with tolerance {:g} m does not fit into {:.0f} MB",
+                                 tolerance, 1e-6 * (20.0 * posts + 200e6)),
+                     "use a coarser tolerance, or a part of the raster");
 }
 
 }  // namespace diurna

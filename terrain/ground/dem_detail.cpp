@@ -150,26 +150,27 @@ void sample_detail(Dem& dem) {
 
 void lay_detail(Dem& dem, Dem fine, const DetailOptions& options) {
     if (has_voids(fine)) {
-        throw InputError(fine.source, "has posts without elevation; a detail has none",
-                         "voids = \"fill\"");
+        throw InputError(fine.source, "has posts without elevation, which a detail cannot have",
+                         "set voids = \"fill\"");
     }
     const Eigen::Vector2d spacing = post_spacing(fine), coarse_spacing = post_spacing(dem);
     if (spacing.prod() > coarse_spacing.prod()) {
-        throw InputError(fine.source,
-                         fmt::format("has its posts {:.3g} m apart, {} {:.3g} m; a detail is finer",
-                                     spacing.maxCoeff(), dem.source, coarse_spacing.maxCoeff()));
+        throw InputError(
+            fine.source,
+            fmt::format("has posts {:.3g} m apart, {} {:.3g} m; a detail must be finer",
+                        spacing.maxCoeff(), dem.source, coarse_spacing.maxCoeff()));
     }
     const Eigen::Vector2d size = last_post(fine).cwiseProduct(spacing);
     if (2.0 * options.blend > size.minCoeff()) {
-        throw InputError(fine.source,
-                         fmt::format("is {:.3g} m wide, less than two strips of {:g} m over which "
-                                     "it would be blended",
-                                     size.minCoeff(), options.blend),
-                         "a smaller blend_m");
+        throw InputError(
+            fine.source,
+            fmt::format("is {:.3g} m wide, less than the two blending strips of {:g} m",
+                        size.minCoeff(), options.blend),
+            "reduce blend_m");
     }
     DemDetail detail{.raster = {}, .to_own = {}, .to_coarse = {}, .outline = outline_of(fine, dem)};
     if (detail.outline.size() < 3) {
-        throw InputError(fine.source, "lies wholly outside " + dem.source);
+        throw InputError(fine.source, "is entirely outside " + dem.source);
     }
     const RingExtent extent(detail.outline);
     const PostWindow window =
@@ -188,8 +189,8 @@ void lay_detail(Dem& dem, Dem fine, const DetailOptions& options) {
     });
     if (std::abs(step) >= reported_from) {
         dem.notes.push_back(fmt::format(
-            "{}: lies {:.1f} m {} {} where it is blended into it (median): have the two the same "
-            "vertical_datum and height_unit?",
+            "{}: is {:.1f} m {} {} in the blending strip (median): check vertical_datum and "
+            "height_unit of both",
             detail.raster.source, std::abs(step), step > 0.0 ? "above" : "below", dem.source));
     }
     for (const std::string& note : detail.raster.notes) dem.notes.push_back(note);

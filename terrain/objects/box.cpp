@@ -60,10 +60,11 @@ ObjectMesh box(const BoxSpec& spec) {
     if (!(spec.width > 0.0 && spec.depth > 0.0 && spec.height > 0.0 && spec.sunk >= 0.0 &&
           spec.largest_edge > 0.0 && spec.lowest_row > 0.0 && spec.base.allFinite() &&
           std::isfinite(spec.heading_deg))) {
-        throw InputError("building",
-                         fmt::format("found a box of {} x {} x {} m, edges up to {} m; lengths are "
-                                     "more than 0",
-                                     spec.width, spec.depth, spec.height, spec.largest_edge));
+        throw InputError(
+            "building",
+            fmt::format(
+                "found a box of {} x {} x {} m with edges up to {} m, expected lengths above 0",
+                spec.width, spec.depth, spec.height, spec.largest_edge));
     }
     const Ring plan = plan_of(spec);
     const double top = spec.base.z() + spec.height;

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "materials/base/number_of.hpp"
 #include "terrain/objects/line_grid.hpp"
 #include "terrain/objects/mesh_pieces.hpp"
 
@@ -214,18 +215,16 @@ Facing turn_outward(MeshFile& mesh, std::span<const std::string> material) {
 std::string facing_note(const Facing& facing) {
     std::string note;
     if (facing.turned > 0) {
-        note = fmt::format("{} of {} closed pieces faced inwards and were turned", facing.turned,
+        note = fmt::format("{} of {} closed pieces reversed to face outwards", facing.turned,
                            facing.closed);
         if (facing.cavities > 0) {
-            note += fmt::format(" ({} of the pieces {} a cavity within another one)",
-                                facing.cavities, facing.cavities > 1 ? "are each" : "is");
+            note += fmt::format(" ({} of them {} inside another piece)", facing.cavities,
+                                facing.cavities > 1 ? "are cavities" : "is");
         }
     }
     if (facing.triangles > 0) {
-        note += fmt::format(
-            "{}{} triangles of closed pieces faced otherwise than their neighbours "
-            "and were turned",
-            note.empty() ? "" : "; ", facing.triangles);
+        note += fmt::format("{}{} of closed pieces reversed to face as the neighbours",
+                            note.empty() ? "" : "; ", number_of(facing.triangles, "triangle"));
     }
     return note;
 }

@@ -35,7 +35,8 @@ constexpr std::array<Component, 6> components{{{5120, 1, 127.0},
 constexpr double most_without_data = 1e8;  // bytes of zeros
 constexpr double most_work = 3e8;          // numbers; a file may name the same ones many times
 
-static_assert(std::endian::native == std::endian::little, "glTF's bytes are read as they are");
+static_assert(std::endian::native == std::endian::little,
+              "glTF data are read without conversion of byte order");
 
 int numbers_of(const Gltf& gltf, const Json& accessor, const std::string& where) {
     const Json& type = Gltf::member(accessor, "type");
@@ -43,7 +44,7 @@ int numbers_of(const Gltf& gltf, const Json& accessor, const std::string& where)
         if (type.is_string() && type.get_ref<const std::string&>() == kind.name)
             return kind.numbers;
     }
-    throw gltf.fault(where, "is of no known type: " + Gltf::shown(type));
+    throw gltf.fault(where, "has an unknown type: " + Gltf::shown(type));
 }
 
 const Component& component_of(const Gltf& gltf, const Json& of, const std::string& where) {
@@ -53,7 +54,7 @@ const Component& component_of(const Gltf& gltf, const Json& of, const std::strin
             return component;
         }
     }
-    throw gltf.fault(where, "is of no known component type: " + Gltf::shown(type));
+    throw gltf.fault(where, "has an unknown component type: " + Gltf::shown(type));
 }
 
 template <class T>
@@ -83,11 +84,12 @@ double number_at(const char* bytes, int type) {
 void check_fit(const Gltf& gltf, const std::string& where, double from, double count, double stride,
                double element, double length) {
     if (stride < element) {
-        throw gltf.fault(where, fmt::format("has a stride of {:.0f} bytes, expected {:.0f} or more",
-                                            stride, element));
+        throw gltf.fault(
+            where,
+            fmt::format("has a stride of {:.0f} bytes, expected at least {:.0f}", stride, element));
     }
     if (from + (count - 1.0) * stride + element > length) {
-        throw gltf.fault(where, fmt::format("claims {:.0f} elements, its {:.0f} bytes hold fewer",
+        throw gltf.fault(where, fmt::format("declares {:.0f} elements, but has only {:.0f} bytes",
                                             count, length));
     }
 }
@@ -113,7 +115,8 @@ GltfAccessors::GltfAccessors(const Gltf& gltf, GltfBuffers& buffers)
         if (count < 1.0) throw gltf.fault(where, "has no elements, expected vertices or indices");
         if (view.is_null()) {
             if (count * element > most_without_data) {
-                throw gltf.fault(where, fmt::format("claims {:.0f} elements of no data", count));
+                throw gltf.fault(where,
+                                 fmt::format("declares {:.0f} elements, but has no data", count));
             }
             continue;
         }
@@ -132,7 +135,7 @@ void GltfAccessors::count_work(double numbers) {
     work_ += numbers;
     if (work_ > most_work) {
         throw InputError(gltf_.name(),
-                         fmt::format("its meshes name more than {:g} numbers", most_work));
+                         fmt::format("its meshes have more than {:g} numbers", most_work));
     }
 }
 
@@ -213,7 +216,7 @@ void GltfAccessors::put_sparse(const Json& accessor, int per_element, std::size_
 std::vector<std::uint32_t> GltfAccessors::indices(std::size_t accessor, const std::string& where) {
     const int type = component_type(accessor);
     if (type != 5121 && type != 5123 && type != 5125) {
-        throw gltf_.fault(where, "are no whole numbers from 0");
+        throw gltf_.fault(where, "are not whole numbers from 0");
     }
     std::vector<std::uint32_t> index;
     for (const double value : numbers(accessor, "SCALAR", where)) {

@@ -35,7 +35,7 @@ std::string from_base64(const Gltf& gltf, std::string_view text, const std::stri
     int count = 0;
     for (const char c : text) {
         const int value = base64_value(c);
-        if (value < 0) throw gltf.fault(where, "is no base64");
+        if (value < 0) throw gltf.fault(where, "is not base64");
         bits = bits << 6 | std::uint32_t(value);
         count += 6;
         if (count < 8) continue;
@@ -81,8 +81,9 @@ GltfBuffers::GltfBuffers(const Gltf& gltf, std::string_view own_piece,
                      length = gltf.size(Gltf::member(views[i], "byteLength"), -1.0, where),
                      whole = gltf.size(Gltf::member(buffers[of], "byteLength"), 0.0, where);
         if (length < 0.0 || from + length > whole) {
-            throw gltf.fault(where, fmt::format("ends at byte {:.0f} of a buffer of {:.0f}",
-                                                from + length, whole));
+            throw gltf.fault(where,
+                             fmt::format("ends at byte {:.0f}, but the buffer has {:.0f} bytes",
+                                         from + length, whole));
         }
     }
 }
@@ -105,12 +106,13 @@ std::string_view GltfBuffers::buffer(std::size_t number) {
         if (number != 0 || own_piece_.empty()) {
             const std::string packed = packing_of(buffer);
             throw gltf_.fault(
-                where, packed.empty() ? "has neither uri nor binary piece"
-                                      : fmt::format("is packed as {}, which is not read", packed));
+                where, packed.empty()
+                           ? "has neither uri nor binary chunk"
+                           : fmt::format("is compressed with {}, which is not supported", packed));
         }
         bytes = own_piece_;
     } else {
-        if (!uri.is_string()) throw gltf_.fault(where + ".uri", "is no text");
+        if (!uri.is_string()) throw gltf_.fault(where + ".uri", "is not text");
         auto known = read_.find(number);
         if (known == read_.end()) {
             known =
@@ -120,7 +122,8 @@ std::string_view GltfBuffers::buffer(std::size_t number) {
     }
     const double claimed = gltf_.size(Gltf::member(buffer, "byteLength"), 0.0, where);
     if (claimed > double(bytes.size())) {
-        throw gltf_.fault(where, fmt::format("claims {:.0f} bytes, has {}", claimed, bytes.size()));
+        throw gltf_.fault(where,
+                          fmt::format("declares {:.0f} bytes, but has {}", claimed, bytes.size()));
     }
     return bytes;
 }
@@ -130,7 +133,7 @@ std::string GltfBuffers::bytes_named(const std::string& uri, const std::string& 
         const std::size_t comma = uri.find(',');
         if (comma == std::string::npos) throw gltf_.fault(where, "has no data");
         if (!std::string_view(uri).substr(0, comma).ends_with(";base64")) {
-            throw gltf_.fault(where, "is no base64");
+            throw gltf_.fault(where, "is not base64");
         }
         return from_base64(gltf_, std::string_view(uri).substr(comma + 1), where);
     }

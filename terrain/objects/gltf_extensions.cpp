@@ -34,7 +34,7 @@ const Json& names(const Gltf& gltf, const char* key) {
     const bool fits =
         found.is_null() || (found.is_array() && std::all_of(found.begin(), found.end(),
                                                             [](auto& x) { return x.is_string(); }));
-    if (!fits) throw gltf.fault(key, "is no array of names");
+    if (!fits) throw gltf.fault(key, "is not an array of names");
     return found;
 }
 
@@ -48,9 +48,10 @@ void check_gltf_extensions(const Gltf& gltf) {
             std::any_of(shapeless.begin(), shapeless.end(),
                         [&](std::string_view begin) { return name.starts_with(begin); });
         if (known) continue;
-        throw InputError(gltf.name() + ": extensionsRequired",
-                         fmt::format("the mesh needs {}, which is not read", name.substr(0, 80)),
-                         "export it without that extension");
+        throw InputError(
+            gltf.name() + ": extensionsRequired",
+            fmt::format("the mesh needs {}, which is not supported", name.substr(0, 80)),
+            "export it without that extension");
     }
 }
 

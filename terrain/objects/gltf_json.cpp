@@ -20,9 +20,8 @@ void check_nesting(const std::string& name, std::string_view json) {
         if (c == '[' || c == '{') ++depth;
         if (c == ']' || c == '}') --depth;
         if (depth > most_nesting) {
-            throw InputError(name, fmt::format("its JSON has brackets within brackets, more than "
-                                               "{} deep",
-                                               most_nesting));
+            throw InputError(
+                name, fmt::format("its JSON is nested more than {} levels deep", most_nesting));
         }
     }
 }
@@ -32,12 +31,12 @@ void check_nesting(const std::string& name, std::string_view json) {
 Gltf::Gltf(const std::string& name, std::string_view json) : name_(name) {
     check_nesting(name, json);
     all_ = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
-    if (!all_.is_object()) throw InputError(name, "holds no JSON object");
+    if (!all_.is_object()) throw InputError(name, "has no JSON object");
     const nlohmann::json& version = member(member(all_, "asset"), "version");
     const std::string reported =
         version.is_string() ? version.get<std::string>() : version.dump().substr(0, 40);
     if (reported.starts_with("2.") || reported == "2") return;
-    throw InputError(name, fmt::format("is of glTF version '{}', expected 2", reported),
+    throw InputError(name, fmt::format("has glTF version '{}', expected 2", reported),
                      "export it as glTF 2");
 }
 

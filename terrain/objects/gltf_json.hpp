@@ -26,7 +26,7 @@ class Gltf {
             found.is_null() ||
             (found.is_array() &&
              std::all_of(found.begin(), found.end(), [](auto& one) { return one.is_object(); }));
-        if (!fits) throw fault(key, "is no array of objects");
+        if (!fits) throw fault(key, "is not an array of objects");
         return found;
     }
     const nlohmann::json& all() const { return all_; }

@@ -34,7 +34,7 @@ std::vector<Eigen::Vector3d> places_of(const Gltf& gltf, GltfAccessors& accessor
     constexpr int of_float = 5126, of_uint32 = 5125;
     if (type == of_uint32 || (type != of_float && !uses_extension(gltf, "KHR_mesh_quantization"))) {
         throw gltf.fault(
-            where, fmt::format("are of component type {}, expected {} (float){}", type, of_float,
+            where, fmt::format("have component type {}, expected {} (float){}", type, of_float,
                                type == of_uint32 ? ""
                                                  : ", or KHR_mesh_quantization among "
                                                    "extensionsUsed"));
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> corners_of(const Gltf& gltf, GltfAccessors& accessors
         throw gltf.fault(
             where, fmt::format("found {} {} for {}, expected {}", corner.size(), what, mode.name,
                                mode.multiple > 1 ? fmt::format("a multiple of {}", mode.multiple)
-                                                 : fmt::format("{} or more", mode.least)));
+                                                 : fmt::format("at least {}", mode.least)));
     }
     for (std::size_t i = 0; i < corner.size(); ++i) {
         if (corner[i] < vertices) continue;
@@ -150,8 +150,9 @@ void read_pulls(const Gltf& gltf, GltfAccessors& accessors, const Json& attribut
             shares.back().size() == 4 * read.place.size()) {
             continue;
         }
-        throw gltf.fault(where, fmt::format("has other than {} of JOINTS_{} or WEIGHTS_{}",
-                                            read.place.size(), set, set));
+        throw gltf.fault(where,
+                         fmt::format("does not have the {} elements of JOINTS_{} or WEIGHTS_{}",
+                                     read.place.size(), set, set));
     }
     read.pulls = 4 * joints.size();
     for (std::size_t v = 0; v < read.place.size(); ++v) {
@@ -190,7 +191,8 @@ GltfPrimitive read_primitive(const Gltf& gltf, GltfAccessors& accessors, const J
         (!Gltf::member(all[position.get<std::size_t>()], "bufferView").is_null() ||
          !Gltf::member(all[position.get<std::size_t>()], "sparse").is_null());
     if (const std::string packed = packing_of(primitive); !has_data && !packed.empty()) {
-        throw gltf.fault(where, fmt::format("is packed as {}, which is not read", packed));
+        throw gltf.fault(where,
+                         fmt::format("is compressed with {}, which is not supported", packed));
     }
     if (position.is_null()) throw gltf.fault(where, "has no POSITION");
     read.place = places_of(gltf, accessors, position.get<std::size_t>(), where + ".POSITION",
@@ -230,7 +232,7 @@ std::vector<double> gltf_weights(const Gltf& gltf, const Json& of, const std::st
         weights.is_array() && std::all_of(weights.begin(), weights.end(), [](const Json& x) {
             return x.is_number() && std::abs(x.get<double>()) < 1e6;
         });
-    if (!fits) throw gltf.fault(where + ".weights", "are no numbers");
+    if (!fits) throw gltf.fault(where + ".weights", "are not numbers");
     return weights.get<std::vector<double>>();
 }
 

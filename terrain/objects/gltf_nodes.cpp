@@ -24,7 +24,7 @@ constexpr auto no_parent = std::size_t(-1);
 void adopt(const Gltf& gltf, std::vector<std::size_t>& parents, std::size_t k, std::size_t parent,
            const std::string& where) {
     if (parents[k] != no_parent) {
-        throw gltf.fault(where, fmt::format("node {} is a child twice, expected a tree", k));
+        throw gltf.fault(where, fmt::format("node {} has two parents, expected a tree", k));
     }
     parents[k] = parent;
 }
@@ -42,8 +42,9 @@ void check_depths(const Gltf& gltf, const std::vector<std::size_t>& parents) {
         }
         std::size_t above = at == no_parent ? 0 : depth[at];
         if (above + way.size() > most_depth) {
-            throw gltf.fault(fmt::format("nodes[{}]", i),
-                             fmt::format("lies more than {} deep, or below itself", most_depth));
+            throw gltf.fault(
+                fmt::format("nodes[{}]", i),
+                fmt::format("is nested more than {} deep, or below itself", most_depth));
         }
         for (auto node = way.rbegin(); node != way.rend(); ++node) depth[*node] = ++above;
     }
@@ -72,7 +73,7 @@ std::vector<std::size_t> check_nodes(const Gltf& gltf) {
             if (!fits) throw gltf.fault(where + "." + key, fmt::format("is not {} numbers", count));
         }
         if (children.is_null()) continue;
-        if (!children.is_array()) throw gltf.fault(where + ".children", "is no array");
+        if (!children.is_array()) throw gltf.fault(where + ".children", "is not an array");
         for (const Json& child : children) {
             const std::size_t k = gltf.index(child, nodes.size(), where + ".children");
             adopt(gltf, parents, k, i, where + ".children");
@@ -83,7 +84,7 @@ std::vector<std::size_t> check_nodes(const Gltf& gltf) {
     for (const Json& scene : scenes) {
         const Json& roots = Gltf::member(scene, "nodes");
         if (roots.is_null()) continue;
-        if (!roots.is_array()) throw gltf.fault("scenes.nodes", "is no array");
+        if (!roots.is_array()) throw gltf.fault("scenes.nodes", "is not an array");
         for (const Json& root : roots) gltf.index(root, nodes.size(), "scenes.nodes");
     }
     const Json& chosen = Gltf::member(gltf.all(), "scene");
@@ -116,7 +117,7 @@ std::vector<double> numbers_of(const Json& node, const char* key, std::vector<do
 
 Eigen::Affine3d composed(const Eigen::Vector3d& translation, const Eigen::Vector4d& xyzw,
                          const Eigen::Vector3d& scale, const Gltf& gltf, const std::string& where) {
-    if (!(xyzw.norm() > 1e-6)) throw gltf.fault(where, "has a rotation of no length");
+    if (!(xyzw.norm() > 1e-6)) throw gltf.fault(where, "has a rotation of length zero");
     const Eigen::Quaterniond turn(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
     return Eigen::Translation3d(translation) * turn.normalized() *
            Eigen::Scaling(scale.x(), scale.y(), scale.z());

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
 #include "terrain/objects/cut_polygon.hpp"
 #include "terrain/objects/mesh_readers.hpp"
@@ -64,7 +65,7 @@ std::uint16_t MeshBuilder::part(const std::string& node, const std::string& mate
 std::uint32_t MeshBuilder::vertex(const Eigen::Vector3d& at) {
     if (!(at.array().abs() <= most_coordinate).all()) {
         throw InputError(name_,
-                         fmt::format("a vertex is not finite, or beyond {:g}: {:g} {:g} {:g}",
+                         fmt::format("a vertex is not finite or exceeds {:g}: {:g} {:g} {:g}",
                                      most_coordinate, at.x(), at.y(), at.z()));
     }
     // −0 is 0.
@@ -77,7 +78,7 @@ std::uint32_t MeshBuilder::vertex(const Eigen::Vector3d& at) {
 
 void MeshBuilder::triangle(const std::array<std::uint32_t, 3>& corner, std::uint16_t part) {
     if (mesh_.triangle.size() >= most_triangles) {
-        throw InputError(name_, fmt::format("holds more than {} triangles", most_triangles));
+        throw InputError(name_, fmt::format("has more than {} triangles", most_triangles));
     }
     const auto [a, b, c] = corner;
     if (a == b || b == c || c == a) return;
@@ -109,25 +110,23 @@ void MeshBuilder::stored_as_float(double largest) {
 }
 
 MeshFile MeshBuilder::finish() {
-    if (mesh_.triangle.empty()) throw InputError(name_, "holds no triangle");
+    if (mesh_.triangle.empty()) throw InputError(name_, "has no triangles");
     const WeldedVertices welded = weld_vertices(mesh_);
-    if (mesh_.triangle.empty()) throw InputError(name_, "holds no triangle with an area");
+    if (mesh_.triangle.empty()) throw InputError(name_, "has only triangles without area");
     drop_unused(mesh_);
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& at : mesh_.vertex) box.extend(at);
     const double size = box.sizes().maxCoeff();
     if (step_ > 1e-3 * size) {
-        warn(
-            fmt::format("its coordinates are numbers of 32 bits, which are {:.2g} apart so far "
-                        "from the origin; the mesh measures {:.3g} (the file's unit), its shape "
-                        "is rounded",
-                        step_, size));
+        warn(fmt::format(
+            "its coordinates are 32-bit numbers with a spacing of {:.2g} this far from the origin; "
+            "the mesh has a size of {:.3g} (the file's unit), so its shape is rounded",
+            step_, size));
     }
     if (crossing_ > 0) {
-        warn(
-            fmt::format("{} polygons of its mesh cross themselves, the first at {}; their "
-                        "triangles cover another area",
-                        crossing_, first_crossing_));
+        warn(fmt::format(
+            "{} of its mesh self-intersecting, the first at {}: the triangles cover another area",
+            number_of(crossing_, "polygon", "polygons"), first_crossing_));
     }
     if (const std::string line = welded_note(welded); !line.empty()) note(line);
     if (const std::string line = nearly_closed_warning(welded); !line.empty()) warn(line);

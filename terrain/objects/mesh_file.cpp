@@ -21,7 +21,7 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::optional<C
     }
     const std::string read = read_text(file, most_mesh_bytes);
     if (read.starts_with("\xFF\xFE") || read.starts_with("\xFE\xFF")) {
-        throw InputError(name, "is text in UTF-16", "save it as UTF-8 or ASCII");
+        throw InputError(name, "is UTF-16 text", "save it as UTF-8 or ASCII");
     }
     const std::string_view text =
         std::string_view(read).substr(read.starts_with("\xEF\xBB\xBF") ? 3 : 0);

@@ -89,7 +89,7 @@ double MeshLines::coordinate(std::string_view word) const {
                          hint_of(word));
     }
     if (std::abs(value) > most_coordinate) {
-        throw InputError(where(), fmt::format("found {:g}, expected a coordinate of {:g} at most",
+        throw InputError(where(), fmt::format("found {:g}, expected a coordinate of at most {:g}",
                                               value, most_coordinate));
     }
     return value;

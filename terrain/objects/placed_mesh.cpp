@@ -98,8 +98,8 @@ void check_size(const std::vector<Eigen::Vector3d>& vertex) {
     const double size = vertex.empty() ? 0.0 : box.sizes().maxCoeff();
     if (size >= least) return;
     throw InputError("object",
-                     fmt::format("measures {:.2g} m, expected {:g} at least", size, least),
-                     "unit and scale are those of the file");
+                     fmt::format("has a size of {:.2g} m, expected at least {:g} m", size, least),
+                     "check unit and scale of the file");
 }
 
 /// Throws InputError where cutting would make more triangles than a mesh's file may have: the
@@ -115,11 +115,11 @@ void check_pieces(const std::vector<Eigen::Vector3d>& vertex, const MeshFile& me
         pieces += std::max({1.0, area, edge});
     }
     if (pieces <= most) return;
-    throw InputError("object",
-                     fmt::format("becomes {:.2g} triangles with edges of {:g} m, expected {:g} at "
-                                 "most",
-                                 pieces, longest, most),
-                     "a larger largest_edge_m, or another unit or scale");
+    throw InputError(
+        "object",
+        fmt::format("gives {:.2g} triangles with edges of {:g} m, expected at most {:g}", pieces,
+                    longest, most),
+        "increase largest_edge_m, or change unit or scale");
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace diurna {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "write_ply writes memory as it is");
+static_assert(std::endian::native == std::endian::little,
+              "write_ply needs a little-endian machine");
 
 template <class T>
 void put(std::ostream& out, T value) {

@@ -21,9 +21,9 @@ PlyType type_named(const MeshLines& lines, std::string_view word) {
         {"float64", PlyType::float64}};
     const auto found = named.find(word);
     if (found != named.end()) return found->second;
-    throw InputError(lines.where(), fmt::format("found type '{}', expected one of PLY's, such as "
-                                                "float",
-                                                word.substr(0, 40)));
+    throw InputError(
+        lines.where(),
+        fmt::format("found type '{}', expected a PLY type such as float", word.substr(0, 40)));
 }
 
 PlyProperty read_property(const MeshLines& lines, const std::string& element) {
@@ -61,7 +61,7 @@ PlyHead read_lines_of_head(MeshLines& lines, std::size_t bytes) {
         if (words.empty() || is_keyword(words[0], "comment") || is_keyword(words[0], "obj_info"))
             continue;
         if (is_keyword(words[0], "end_header")) {
-            if (!format) throw InputError(lines.where(), "no line 'format' above it");
+            if (!format) throw InputError(lines.where(), "no line 'format' before it");
             return head;
         }
         if (is_keyword(words[0], "format") && words.size() == 3) {
@@ -76,13 +76,13 @@ PlyHead read_lines_of_head(MeshLines& lines, std::size_t bytes) {
             const long long rows = lines.whole(words[2]);
             if (rows < 0 || std::size_t(rows) > bytes) {
                 throw InputError(lines.where(),
-                                 fmt::format("claims {} of {}, but the file has {} bytes", rows,
+                                 fmt::format("declares {} {}, but the file has only {} bytes", rows,
                                              words[1], bytes));
             }
             for (const PlyElement& other : head.element) {
                 if (other.name != words[1]) continue;
-                throw InputError(lines.where(), fmt::format("element {} stands above, too",
-                                                            words[1].substr(0, 40)));
+                throw InputError(lines.where(),
+                                 fmt::format("element {} occurs twice", words[1].substr(0, 40)));
             }
             head.element.push_back({std::string(words[1]), std::size_t(rows), {}});
             if (words[1] == "vertex") head.vertices = rows;
@@ -108,7 +108,7 @@ void check_head(const std::string& name, const PlyHead& head) {
         return count;
     };
     if (with("vertex", [](const PlyProperty& p) { return p.axis >= 0; }) != 3) {
-        throw InputError(name, "its vertices have not x, y and z once each");
+        throw InputError(name, "its vertices do not have x, y and z exactly once");
     }
     const auto faces = with("face", [](const PlyProperty&p) { return p.corners; }),
                strips = with("tristrips", [](const PlyProperty&p) { return p.strip; });
@@ -116,12 +116,12 @@ void check_head(const std::string& name, const PlyHead& head) {
     const bool has_faces = std::any_of(head.element.begin(), head.element.end(),
                                        [](const PlyElement& e) { return e.name == "face"; });
     if (!has_faces) {
-        throw InputError(name, "holds points and no faces: a point cloud; expected a mesh",
-                         "make a surface of it first, as MeshLab and CloudCompare do; of ground "
-                         "make a raster, as pdal writers.gdal does");
+        throw InputError(name, "has points but no faces (a point cloud), expected a mesh",
+                         "make a surface first, for example with MeshLab or CloudCompare; for "
+                         "ground make a raster with pdal writers.gdal");
     }
-    throw InputError(name, "its faces have not one list vertex_indices",
-                     "expected property list uchar int vertex_indices, as most programs write it");
+    throw InputError(name, "its faces do not have exactly one list vertex_indices",
+                     "expected property list uchar int vertex_indices");
 }
 
 }  // namespace

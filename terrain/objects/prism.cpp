@@ -21,8 +21,7 @@ Ring tidy(const Ring& given, const std::string& where) {
     }
     const Ring ring = counterclockwise(given);
     if (ring.size() < 3) {
-        throw InputError(where,
-                         fmt::format("found {} corners; a plan has three or more", ring.size()));
+        throw InputError(where, fmt::format("found {} corners, expected at least 3", ring.size()));
     }
     return ring;
 }
@@ -46,13 +45,13 @@ std::vector<std::array<std::uint32_t, 3>> ears(const Ring& ring, const std::stri
     while (left.size() > 3) {
         std::size_t i = 0;
         while (i < left.size() && !is_ear(i)) ++i;
-        if (i == left.size()) throw InputError(where, "its plan crosses itself");
+        if (i == left.size()) throw InputError(where, "its plan intersects itself");
         const std::size_t n = left.size();
         triangles.push_back({left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     }
     if (turn(ring[left[0]], ring[left[1]], ring[left[2]]) < 0.0) {
-        throw InputError(where, "its plan crosses itself");
+        throw InputError(where, "its plan intersects itself");
     }
     triangles.push_back({left[0], left[1], left[2]});
     return triangles;
@@ -107,9 +106,10 @@ ObjectMesh prism(const PrismSpec& spec) {
     const CutPolygon cut =
         joined ? cut_polygon(corner) : CutPolygon{.triangle = {}, .sound = false};
     if (!cut.sound) {
-        throw InputError(spec.where,
-                         "a hole of its plan crosses its border or another hole, or is not inside",
-                         "mend the polygon, or remove the hole: ogr2ogr -makevalid does");
+        throw InputError(
+            spec.where,
+            "a hole of its plan intersects the border or another hole, or is not inside",
+            "repair the polygon with ogr2ogr -makevalid, or remove the hole");
     }
     lay(*joined, cut.triangle);
     return mesh;

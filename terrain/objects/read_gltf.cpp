@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/objects/gltf_extensions.hpp"
 #include "terrain/objects/gltf_meshes.hpp"
 #include "terrain/objects/gltf_nodes.hpp"
@@ -103,7 +104,8 @@ MeshFile read_json(const std::string& name, std::string_view json, std::string_v
             append(mesh, gltf, primitives[p], placing, mesh.part(part, primitives[p].material));
         }
     }
-    if (undrawn > 0) mesh.note(fmt::format("{} sets of points or lines are skipped", undrawn));
+    if (undrawn > 0)
+        mesh.note(fmt::format("{} of points or lines skipped", number_of(undrawn, "primitive")));
     return mesh.finish();
 }
 
@@ -124,27 +126,27 @@ MeshFile read_gltf(const std::string& name, std::string_view text,
 MeshFile read_glb(const std::string& name, std::string_view text,
                   const std::filesystem::path& folder, const Confines& confines) {
     if (text.size() < 20 || !text.starts_with("glTF")) {
-        throw InputError(name, "is no binary glTF: expected 20 bytes or more that begin with glTF");
+        throw InputError(
+            name, "is not a binary glTF file: expected at least 20 bytes that begin with glTF");
     }
     if (number_at(text, 4) != 2) {
-        throw InputError(name,
-                         fmt::format("is of glTF version {}, expected 2", number_at(text, 4)));
+        throw InputError(name, fmt::format("has glTF version {}, expected 2", number_at(text, 4)));
     }
     if (number_at(text, 8) != text.size()) {
-        throw InputError(name,
-                         fmt::format("claims {} bytes, has {}", number_at(text, 8), text.size()));
+        throw InputError(
+            name, fmt::format("declares {} bytes, but has {}", number_at(text, 8), text.size()));
     }
     const std::size_t json = number_at(text, 12);
     if (text.substr(16, 4) != "JSON" || 20 + json > text.size()) {
-        throw InputError(name, fmt::format("its first piece is no JSON of {} bytes", json));
+        throw InputError(name, fmt::format("its first chunk is not JSON of {} bytes", json));
     }
     // Then pieces of any kind, of which the binary one is the first if there.
     std::string_view binary;
     if (28 + json <= text.size()) {
         const std::size_t bytes = number_at(text, 20 + json);
         if (28 + json + bytes > text.size()) {
-            throw InputError(name, fmt::format("its second piece claims {} bytes, has {}", bytes,
-                                               text.size() - 28 - json));
+            throw InputError(name, fmt::format("its second chunk declares {} bytes, but has {}",
+                                               bytes, text.size() - 28 - json));
         }
         if (text.substr(24 + json, 4) == std::string_view("BIN\0", 4)) {
             binary = text.substr(28 + json, bytes);

@@ -54,7 +54,7 @@ std::uint32_t read_corner(const MeshLines& lines, std::string_view word, const C
     for (std::size_t kind = 0;; ++kind) {
         const std::size_t slash = std::min(word.find('/'), word.size());
         const bool left_out = slash == 0 && kind > 0;
-        if (kind > 2) throw InputError(lines.where(), "a corner of more than three indices");
+        if (kind > 2) throw InputError(lines.where(), "found a corner of more than three indices");
         if (!left_out) {
             const std::uint32_t index = read_index(lines, word.substr(0, slash), kind, have, asked);
             if (kind == 0) vertex = index;

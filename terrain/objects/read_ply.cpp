@@ -24,8 +24,8 @@ void check_count(const std::string& where, double count, const PlyProperty& prop
     if (count >= least && count <= (property.corners ? most_corners : 1e9)) return;
     throw InputError(
         where,
-        fmt::format("found a list {} of {:g}, expected {:g} or more{}", property.name, count, least,
-                    property.corners ? fmt::format(", {} at most", most_corners) : ""));
+        fmt::format("found a list {} of {:g}, expected at least {:g}{}", property.name, count,
+                    least, property.corners ? fmt::format(", at most {}", most_corners) : ""));
 }
 
 void check_value(const std::string& where, double value, const PlyProperty& property,
@@ -83,7 +83,7 @@ void read_text_row(MeshLines& lines, const PlyElement& element, const PlyHead& h
     do {
         if (!lines.next()) {
             throw InputError(lines.where(),
-                             fmt::format("ends within its {} of {}", element.rows, element.name));
+                             fmt::format("ends within {} of {}", element.rows, element.name));
         }
     } while (lines.words().empty());
     const auto& words = lines.words();
@@ -158,7 +158,8 @@ class Bytes {
     }
     void check(std::size_t bytes) const {
         if (bytes <= rest_.size()) return;
-        throw InputError(name_, "ends before the rows that its head claims", "is it whole?");
+        throw InputError(name_, "is truncated: it has fewer rows than its header declares",
+                         "copy the file again");
     }
 
     const std::string& name_;

@@ -77,7 +77,8 @@ MeshFile read_text_stl(const std::string& name, std::string_view text) {
             mesh.triangle(corner, mesh.part(solid, ""));
         }
     }
-    if (corners >= 0 || !ended) throw InputError(name, "ends within a solid", "is it whole?");
+    if (corners >= 0 || !ended)
+        throw InputError(name, "ends within a solid", "copy the file again");
     return mesh.finish();
 }
 
@@ -93,11 +94,11 @@ MeshFile read_stl(const std::string& name, std::string_view text) {
     if (begin != std::string_view::npos && is_keyword(text.substr(begin, 5), "solid")) {
         return read_text_stl(name, text);
     }
-    throw InputError(
-        name, text.size() < head_bytes
-                  ? fmt::format("has {} bytes, fewer than the head of an STL file", text.size())
-                  : fmt::format("claims {} facets, its {} bytes hold {}", facets, text.size(),
-                                (text.size() - head_bytes) / facet_bytes));
+    throw InputError(name,
+                     text.size() < head_bytes
+                         ? fmt::format("has {} bytes, less than an STL header", text.size())
+                         : fmt::format("declares {} facets, but its {} bytes contain {}", facets,
+                                       text.size(), (text.size() - head_bytes) / facet_bytes));
 }
 
 }  // namespace diurna

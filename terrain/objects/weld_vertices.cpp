@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "materials/base/number_of.hpp"
 #include "terrain/objects/mesh_pieces.hpp"
 #include "terrain/objects/near_vertices.hpp"
 #include "terrain/objects/small_holes.hpp"
@@ -212,21 +213,19 @@ WeldedVertices weld_vertices(MeshFile& mesh) {
 std::string welded_note(const WeldedVertices& welded) {
     std::string note;
     if (welded.joined > 0) {
-        note = fmt::format(
-            "{} vertices up to {:.2g} (the file's unit) from others were "
-            "joined to them",
-            welded.joined, welded.farthest);
+        note = fmt::format("{} merged at distances up to {:.2g} (the file's unit)",
+                           number_of(welded.joined, "vertex", "vertices"), welded.farthest);
     }
     if (welded.split > 0) {
-        note += fmt::format(
-            "{}{} vertices up to {:.2g} (the file's unit) from an edge were joined to it",
-            note.empty() ? "" : "; ", welded.split, welded.farthest_split);
+        note += fmt::format("{}{} merged with an edge at distances up to {:.2g} (the file's unit)",
+                            note.empty() ? "" : "; ", number_of(welded.split, "vertex", "vertices"),
+                            welded.farthest_split);
     }
     if (note.empty()) return note;
-    if (welded.closed > 0) note += fmt::format("; pieces that it closed: {}", welded.closed);
+    if (welded.closed > 0)
+        note += fmt::format("; {} closed by this", number_of(welded.closed, "piece"));
     if (welded.collapsed > 0) {
-        note +=
-            fmt::format("; {} triangles lost their area by it and are skipped", welded.collapsed);
+        note += fmt::format("; {} without area skipped", number_of(welded.collapsed, "triangle"));
     }
     return note;
 }
@@ -241,7 +240,7 @@ std::string nearly_closed_warning(const WeldedVertices& welded) {
         welded.gap > 0.0 ? fmt::format("{} open edges with gaps up to {:.2g} (the file's unit)",
                                        welded.gap_edges, welded.gap)
                          : fmt::format("holes of {:.2g} % of the area", 100.0 * welded.hole_share);
-    return fmt::format("{}, with {}: counted as a sheet with two sides", pieces, gap);
+    return fmt::format("{}, with {}: treated as a sheet with two sides", pieces, gap);
 }
 
 }  // namespace diurna

@@ -55,7 +55,7 @@ class Reader {
 Instant parse_instant(const std::string& text, const std::string& where) {
     const auto refuse = [&](const std::string& why) {
         return InputError(where, fmt::format("found '{}'; {}", text, why),
-                          "write it like 2003-10-17T12:30:30-07:00 or 2003-10-17T19:30:30Z");
+                          "write it as 2003-10-17T12:30:30-07:00 or 2003-10-17T19:30:30Z");
     };
     Reader read(text);
     int y = 0, mo = 0, d = 0, h = 0, mi = 0, s = 0, ms = 0;
@@ -66,7 +66,7 @@ Instant parse_instant(const std::string& text, const std::string& where) {
     }
     if (read.character(':')) {
         if (!read.digits(2, s)) throw refuse("expected two digits of seconds");
-        if (read.character('.') && !read.fraction(ms)) throw refuse("expected decimals after '.'");
+        if (read.character('.') && !read.fraction(ms)) throw refuse("expected digits after '.'");
     }
     int offset_min = 0;
     if (!read.character('Z')) {
@@ -74,17 +74,17 @@ Instant parse_instant(const std::string& text, const std::string& where) {
         int oh = 0, om = 0;
         if ((!east && !read.character('-')) || !read.digits(2, oh) || !read.character(':') ||
             !read.digits(2, om)) {
-            throw refuse("expected 'Z' or an offset from UTC such as -07:00");
+            throw refuse("expected 'Z' or a UTC offset such as -07:00");
         }
-        if (oh > 15 || om > 59) throw refuse("no offset from UTC is that large");
+        if (oh > 15 || om > 59) throw refuse("the UTC offset is too large");
         offset_min = (east ? 1 : -1) * (60 * oh + om);
     }
-    if (!read.at_end()) throw refuse("there is more after the offset from UTC");
+    if (!read.at_end()) throw refuse("found more text after the UTC offset");
 
     const year_month_day date{year(y), month(static_cast<unsigned>(mo)),
                               day(static_cast<unsigned>(d))};
-    if (!date.ok()) throw refuse("there is no such day");
-    if (h > 23 || mi > 59 || s > 59) throw refuse("there is no such time of day");
+    if (!date.ok()) throw refuse("the date does not exist");
+    if (h > 23 || mi > 59 || s > 59) throw refuse("the time of day does not exist");
     return Instant(sys_days(date)) + hours(h) + minutes(mi) + seconds(s) + milliseconds(ms) -
            minutes(offset_min);
 }

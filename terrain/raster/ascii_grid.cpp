@@ -39,13 +39,13 @@ void check_ascii_grid(const std::filesystem::path& file, std::size_t posts) {
         ++heights;
         if (!is_finite_number(word)) {
             throw InputError(file.string(),
-                             fmt::format("found '{}' as value {}; expected a number",
+                             fmt::format("found '{}' as value {}, expected a number",
                                          word.substr(0, 40), heights),
-                             word.find(',') != word.npos ? "the decimal sign is '.'" : "");
+                             word.find(',') != word.npos ? "the decimal separator is '.'" : "");
         }
     }
     if (heights != posts) {
-        throw InputError(file.string(), fmt::format("has {} values; expected {}", heights, posts));
+        throw InputError(file.string(), fmt::format("has {} values, expected {}", heights, posts));
     }
 }
 

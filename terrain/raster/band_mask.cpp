@@ -26,7 +26,7 @@ void BandMask::read(int column, int row, std::span<std::uint8_t> valid) {
     for (GDALRasterBand* mask : mask_) {
         if (mask->RasterIO(GF_Read, column, row, count, 1, one_.data(), count, 1, GDT_Byte, 0, 0) !=
             CE_None) {
-            throw InputError(where_, "the mask of its pixels without a value is damaged");
+            throw InputError(where_, "its mask of pixels without a value is damaged");
         }
         for (std::size_t i = 0; i < valid.size(); ++i) valid[i] = valid[i] != 0 && one_[i] != 0;
     }

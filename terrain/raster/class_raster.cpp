@@ -43,7 +43,7 @@ std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& 
                 value.push_back(no_class);
             } else if (x != std::round(x) || std::abs(x) > 2e9) {
                 throw InputError(raster.source,
-                                 fmt::format("found a class of {}; classes are whole numbers", x));
+                                 fmt::format("found a class of {}, expected a whole number", x));
             } else {
                 value.push_back(static_cast<std::int32_t>(x));
             }
@@ -65,20 +65,20 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
     raster.source = file.string();
     raster.columns = data->GetRasterXSize();
     raster.rows = data->GetRasterYSize();
-    if (data->GetRasterCount() == 0) throw InputError(raster.source, "holds no raster band");
+    if (data->GetRasterCount() == 0) throw InputError(raster.source, "has no raster band");
     const double cells = double(raster.columns) * raster.rows;
     GDALRasterBand& band = *data->GetRasterBand(1);
     const double bytes = cells * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
     if (cells > most_cells || claims_too_much(bytes, file)) {
-        throw InputError(raster.source,
-                         fmt::format("claims {} x {} cells but has only {} bytes", raster.columns,
-                                     raster.rows, std::filesystem::file_size(file)));
+        throw InputError(raster.source, fmt::format("declares {} x {} cells, but has only {} bytes",
+                                                    raster.columns, raster.rows,
+                                                    std::filesystem::file_size(file)));
     }
     const auto reference = raster_reference(*data, file);
     if (data->GetGeoTransform(raster.transform.data()) != CE_None ||
         !(std::abs(pixel_area(raster.transform)) > 0.0) ||  // of nan, too
         !std::isfinite(pixel_area(raster.transform)) || !reference) {
-        throw InputError(raster.source, "has no georeference or names no CRS");
+        throw InputError(raster.source, "has no georeference or no CRS");
     }
     raster.crs_wkt = wkt_of(*reference);
     if (std::string_view(data->GetDriverName()) == "AAIGrid") {

@@ -50,9 +50,9 @@ const GeoProjection& projection_of(const std::string& wkt, const std::string& so
                        .to_geodetic = transformation(reference, geodetic),
                        .from_geodetic = transformation(geodetic, reference)};
     if (!made.to_geodetic || !made.from_geodetic) {
-        throw InputError(source,
-                         "its coordinate reference system cannot be brought to latitude and "
-                         "longitude");
+        throw InputError(
+            source,
+            "its coordinate reference system cannot be converted to latitude and longitude");
     }
     last = std::move(made);
     return last;

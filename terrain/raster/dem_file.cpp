@@ -55,9 +55,9 @@ GDALDatasetUniquePtr open_elevation_variable(GDALDataset& file, const std::strin
         offered += (offered.empty() ? "" : ", ") + variable;
     }
     throw InputError(where,
-                     "holds several variables, and none has a usual name of elevation" +
+                     "has several variables, none with a usual name of elevation" +
                          (offered.empty() ? "" : ": " + offered),
-                     "gdal_translate NETCDF:" + where + ":NAME elevation.tif takes out one");
+                     "gdal_translate NETCDF:" + where + ":NAME elevation.tif extracts one");
 }
 
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietGdal& gdal,
@@ -65,9 +65,9 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     const std::string where = file.string();
     std::error_code problem;
     const auto status = std::filesystem::status(file, problem);
-    if (!std::filesystem::exists(status)) throw InputError(where, "there is no such file");
+    if (!std::filesystem::exists(status)) throw InputError(where, "the file does not exist");
     if (!std::filesystem::is_regular_file(status)) {
-        throw InputError(where, "is not a file; expected an elevation raster");
+        throw InputError(where, "is not a file, expected an elevation raster");
     }
     if (std::filesystem::file_size(file, problem) == 0) throw InputError(where, "is empty");
     note_file_read(file);
@@ -77,14 +77,14 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     if (!raster) {
         throw InputError(
             where, "cannot be read as elevation" + gdal.because(),
-            unread_hint(file,
-                        "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, "
-                        "ESRI .bil and .flt, ENVI, Erdas .img, netCDF; gdal_translate "
-                        "IN OUT.tif makes GeoTIFF of others"));
+            unread_hint(
+                file,
+                "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, ESRI .bil and .flt, "
+                "ENVI, Erdas .img, netCDF; gdal_translate IN OUT.tif converts others to GeoTIFF"));
     }
     if (raster->GetRasterCount() == 0) raster = open_elevation_variable(*raster, where);
     if (!raster || raster->GetRasterCount() == 0) {
-        throw InputError(where, "holds no raster band" + gdal.because());
+        throw InputError(where, "has no raster band" + gdal.because());
     }
     look_beside(*raster, gate);
     check_bands(*raster, where);
@@ -95,12 +95,12 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
     const int columns = raster.GetRasterXSize(), rows = raster.GetRasterYSize();
     const std::string where = file.string();
     if (columns < 2 || rows < 2) {
-        throw InputError(
-            where, fmt::format("has {} x {} posts; a surface needs at least 2 x 2", columns, rows));
+        throw InputError(where,
+                         fmt::format("has {} x {} posts, expected at least 2 x 2", columns, rows));
     }
     const double posts = double(columns) * rows;
     if (posts > most_posts) {
-        throw InputError(where, fmt::format("has {} x {} posts; at most {:.0f} million are read",
+        throw InputError(where, fmt::format("has {} x {} posts, expected at most {:.0f} million",
                                             columns, rows, most_posts / 1e6));
     }
     const int post_bytes = GDALGetDataTypeSizeBytes(raster.GetRasterBand(1)->GetRasterDataType());
@@ -115,18 +115,20 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
     const bool raw =
         std::string_view(raster.GetDriverName()) == "ENVI" && reported("file_compression") == 0.0;
     if (raw && whole > double(bytes)) {
-        throw InputError(where, fmt::format("has {} bytes, its head claims {:.0f}", bytes, whole),
-                         "is it whole?");
+        throw InputError(where,
+                         fmt::format("has {} bytes, but its header declares {:.0f}", bytes, whole),
+                         "copy the file again");
     }
     if (claims_too_much(posts * post_bytes, file)) {
-        throw InputError(where, fmt::format("claims {} x {} posts but has only {} bytes", columns,
-                                            rows, std::filesystem::file_size(file, problem)));
+        throw InputError(where,
+                         fmt::format("declares {} x {} posts, but has only {} bytes", columns, rows,
+                                     std::filesystem::file_size(file, problem)));
     }
 }
 
 void read_georeference(GDALDataset& raster, Dem& dem) {
     if (raster.GetGeoTransform(dem.transform.data()) != CE_None) {
-        throw InputError(dem.source, "has no georeference: the place of its posts is not known");
+        throw InputError(dem.source, "has no georeference, so the place of its posts is unknown");
     }
     const auto& t = dem.transform;
     const bool finite = std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); });
@@ -139,13 +141,13 @@ void read_georeference(GDALDataset& raster, Dem& dem) {
     const bool ascii = std::string_view(raster.GetDriverName()) == "AAIGrid";
     if (ascii && t[1] < 0.0) {
         throw InputError(dem.source,
-                         fmt::format("found a cell size of {}; expected more than 0", t[1]));
+                         fmt::format("found a cell size of {}, expected more than 0", t[1]));
     }
     const auto reference = raster_reference(raster, dem.source);
     if (!reference) {
         throw InputError(
-            dem.source, "names no coordinate reference system",
-            "gdal_translate -a_srs EPSG:... writes one, of ESRI ASCII a .prj file beside it does");
+            dem.source, "has no coordinate reference system",
+            "gdal_translate -a_srs EPSG:... adds one; ESRI ASCII needs a .prj file beside it");
     }
     dem.crs_wkt = wkt_of(*reference);
 }
@@ -158,7 +160,7 @@ void check_corners(const Dem& dem) {
     for (const Geodetic& place : geodetic_places(dem, corners, heights)) {
         if (!std::isfinite(place.longitude_deg) || !(std::abs(place.latitude_deg) <= 90.0) ||
             std::abs(place.longitude_deg) > 540.0) {
-            throw InputError(dem.source, "its georeference puts it outside the Earth");
+            throw InputError(dem.source, "its georeference is outside the Earth");
         }
     }
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr double lowest = -12e3, highest = 9e3;  // heights on Earth [m], with some room
 
 constexpr const char* unit_hint =
-    "terrain.height_unit says what they are: m, dm, cm, km, ft, us_ft or geopotential";
+    "set terrain.height_unit to m, dm, cm, km, ft, us_ft or geopotential";
 
 /// The unit that a band's file names; "" if it names none.
 std::string named_unit(GDALRasterBand& band) {
@@ -86,24 +86,22 @@ TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOp
                           Dem& dem) {
     const auto converted = [&](double metres, const std::string& name) {
         if (metres != 1.0) {
-            dem.notes.push_back(
-                fmt::format("{}: heights have the unit {}, multiplied by {:.7g} "
-                            "to metres",
-                            dem.source, name, metres));
+            dem.notes.push_back(fmt::format(
+                "{}: heights have the unit {} and were converted to metres (factor {:.7g})",
+                dem.source, name, metres));
         }
         return TakenUnit{metres, name};
     };
-    if (options.unit) return converted(*options.unit, "that height_unit names");
+    if (options.unit) return converted(*options.unit, "of height_unit");
     if (const std::string named = named_unit(band); !named.empty()) {
         const auto unit = height_unit(named);
         const double vertical = vertical_unit(raster.GetSpatialRef());
         if (unit && vertical > 0.0 && std::abs(vertical / unit->metres - 1.0) > 1e-4) {
-            dem.warnings.push_back(
-                {dem.source,
-                 fmt::format("its heights have the unit {}, but the vertical axis of its CRS has "
-                             "{:.7g} m: they are taken as {}",
-                             unit->name, vertical, unit->name),
-                 unit_hint});
+            dem.warnings.push_back({dem.source,
+                                    fmt::format("its heights have the unit {}, but the vertical "
+                                                "axis of its CRS has {:.7g} m; the unit {} is used",
+                                                unit->name, vertical, unit->name),
+                                    unit_hint});
         }
         if (!unit) {
             throw InputError(dem.source,
@@ -121,7 +119,7 @@ TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOp
     if (const std::string named = unit_beside(dem.source); !named.empty()) {
         double per_metre = 0.0;  // a number: units in a metre
         if (parse_number(named, per_metre) && per_metre > 0.0) {
-            return converted(1.0 / per_metre, "that Zunits of its .prj names");
+            return converted(1.0 / per_metre, "of Zunits in its .prj");
         }
         const auto unit = height_unit(named);
         if (!unit) {
@@ -133,11 +131,11 @@ TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOp
         return converted(unit->metres, unit->name + std::string(" (Zunits of its .prj)"));
     }
     if (const std::string map = map_unit(reference); !map.empty()) {
-        dem.warnings.push_back({dem.source,
-                                fmt::format("its map is in {} and its heights have no unit: they "
-                                            "are taken as metres",
-                                            map),
-                                unit_hint});
+        dem.warnings.push_back(
+            {dem.source,
+             fmt::format("its map unit is {} and its heights have no unit; they are read as metres",
+                         map),
+             unit_hint});
     }
     return {1.0, "metre"};
 }
@@ -175,15 +173,16 @@ void read_heights(GDALDataset& raster, const PostWindow& window, const DemOption
             const float stored = height;
             height = static_cast<float>(scale * height + offset);
             if (height > highest) {
-                throw InputError(dem.source,
-                                 fmt::format("found a height of {:.0f} m, with the unit {}; "
-                                             "nothing on Earth is so high",
-                                             height, unit.name),
-                                 is_code(stored)
-                                     ? fmt::format("where {0:g} means that nothing was measured: "
-                                                   "gdal_translate -a_nodata {0:g} IN OUT.tif",
-                                                   stored)
-                                     : unit_hint);
+                throw InputError(
+                    dem.source,
+                    fmt::format("found a height of {:.0f} m with the unit {}, higher than any "
+                                "place on Earth",
+                                height, unit.name),
+                    is_code(stored)
+                        ? fmt::format(
+                              "if {0:g} means no data: gdal_translate -a_nodata {0:g} IN OUT.tif",
+                              stored)
+                        : unit_hint);
             }
         }
     }

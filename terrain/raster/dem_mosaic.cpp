@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/geotransform.hpp"
 
@@ -23,7 +24,7 @@ std::array<int, 2> lattice_place(const Dem& tile, const Dem& first) {
     for (const int k : {1, 2, 4, 5}) same = same && std::abs(a[k] - b[k]) < 1e-5 * cell;
     if (!same) {
         throw InputError(tile.source, fmt::format("has another grid than {}", first.source),
-                         "bring tiles to one CRS and spacing, for example by gdalwarp");
+                         "convert the tiles to one CRS and spacing, for example with gdalwarp");
     }
     double dx = b[0] - a[0];
     if (projection_of(first.crs_wkt, first.source).geographic) {
@@ -34,7 +35,7 @@ std::array<int, 2> lattice_place(const Dem& tile, const Dem& first) {
     if (!(std::abs(column) < 1e6 && std::abs(row) < 1e6) ||
         std::abs(column - std::round(column)) > 0.01 || std::abs(row - std::round(row)) > 0.01) {
         throw InputError(tile.source,
-                         fmt::format("its posts lie between those of {}", first.source));
+                         fmt::format("its posts are between those of {}", first.source));
     }
     return {static_cast<int>(std::round(column)), static_cast<int>(std::round(row))};
 }
@@ -84,9 +85,9 @@ Dem joined(std::vector<Dem> tiles) {
     dem.columns = high[0] - low[0];
     dem.rows = high[1] - low[1];
     if (double(dem.columns) * dem.rows > most_posts) {
-        throw InputError(dem.source, fmt::format("its tiles span {} x {} posts; at most {:.0f} "
-                                                 "million are held",
-                                                 dem.columns, dem.rows, most_posts / 1e6));
+        throw InputError(
+            dem.source, fmt::format("its tiles span {} x {} posts, expected at most {:.0f} million",
+                                    dem.columns, dem.rows, most_posts / 1e6));
     }
     dem.height.assign(std::size_t(dem.columns) * dem.rows, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -96,9 +97,9 @@ Dem joined(std::vector<Dem> tiles) {
         dem.warnings.insert(dem.warnings.end(), tile.warnings.begin(), tile.warnings.end());
         if (seam.differing > 0) {
             dem.notes.push_back(
-                fmt::format("{}: {} posts shared with other tiles differ, by up to "
-                            "{:.1f} m; the first tile's are taken",
-                            tile.source, seam.differing, seam.worst));
+                fmt::format("{}: {} shared with other tiles with differences up to {:.1f} m; those "
+                            "of the first tile are used",
+                            tile.source, number_of(seam.differing, "post"), seam.worst));
         }
         tile.height = {};
     }

@@ -37,11 +37,12 @@ void note_datum(Dem& dem) {
     const double metres = to_local(here, Geodetic{y, x, 0.0}).head<2>().norm();
     dem.notes.push_back(
         metres < 0.01
-            ? fmt::format("{}: no shift from {} to WGS84 is known, its latitudes and longitudes "
-                          "are taken as they are: places may be off by 200 m",
+            ? fmt::format("{}: the shift from {} to WGS84 is unknown; latitudes and longitudes are "
+                          "used unchanged, with errors up to 200 m",
                           dem.source, datum)
-            : fmt::format("{}: {} is brought to WGS84 by a shift of {:.0f} m, good to a few metres",
-                          dem.source, datum, metres));
+            : fmt::format(
+                  "{}: {} is converted to WGS84 by a shift of {:.0f} m, accurate to a few metres",
+                  dem.source, datum, metres));
 }
 
 void note_zone(Dem& dem) {
@@ -55,7 +56,7 @@ void note_zone(Dem& dem) {
     // Maps of one zone reach a degree or two into the next; the formulas are good to 7 degrees.
     if (away > 6.0 || (place.latitude_deg < -1.0) == (north != 0)) {
         dem.notes.push_back(fmt::format(
-            "{}: its middle, {:.2f} N {:.2f} E, is far from UTM zone {}{}: is the zone right?",
+            "{}: its centre, {:.2f} N {:.2f} E, is far from UTM zone {}{}: check the zone",
             dem.source, place.latitude_deg, place.longitude_deg, zone, north ? "N" : "S"));
     }
 }

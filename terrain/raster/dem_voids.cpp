@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/raster/grid.hpp"
 
 namespace diurna {
@@ -47,7 +48,7 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
     dem.voids = static_cast<std::size_t>(
         std::count_if(dem.height.begin(), dem.height.end(), [](float h) { return std::isnan(h); }));
     if (dem.voids == dem.height.size()) {
-        throw InputError(dem.source, "has no elevation at all: every post is void");
+        throw InputError(dem.source, "has no elevation: every post is void");
     }
     if (dem.voids > 0) {
         dem.is_void.resize(dem.height.size());
@@ -57,9 +58,10 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
     if (dem.voids == 0 || policy == VoidPolicy::leave) return;
     if (policy == VoidPolicy::refuse) {
         const double percent = 100.0 * double(dem.voids) / double(dem.height.size());
-        throw InputError(dem.source,
-                         fmt::format("{} posts ({:.2g} %) have no elevation", dem.voids, percent),
-                         "voids = \"fill\" fills them from what is around");
+        throw InputError(
+            dem.source,
+            fmt::format("no elevation at {} ({:.2g} %)", number_of(dem.voids, "post"), percent),
+            "voids = \"fill\" interpolates them");
     }
     Grid grid{dem.columns, dem.rows, std::move(dem.height)};
     fill_voids(grid);

@@ -48,19 +48,19 @@ Reach reach_of(const Dem& dem) {
 /// Throws InputError that reports how far the raster reaches, and what may be wrong with the place.
 [[noreturn]] void refuse_place(const Dem& dem, double latitude, double longitude) {
     const Reach reach = reach_of(dem);
-    std::string hint = "site.latitude_deg and longitude_deg are north and east of 0";
+    std::string hint = "site.latitude_deg is positive north, longitude_deg positive east";
     if (reach.has(longitude, latitude)) {
-        hint = "are site.latitude_deg and longitude_deg exchanged?";
+        hint = "site.latitude_deg and longitude_deg may be exchanged";
     } else if (reach.has(latitude, -longitude) || reach.has(-latitude, longitude) ||
                reach.has(-latitude, -longitude)) {
         hint =
-            "is a sign missing? west of Greenwich site.longitude_deg is below zero, south of the "
-            "equator latitude_deg";
+            "a sign may be missing: site.longitude_deg is negative west of Greenwich, latitude_deg "
+            "negative south of the equator";
     }
     throw InputError(
         dem.source,
-        fmt::format("does not reach the place {:.5f}, {:.5f}: it spans latitudes "
-                    "{:.5f} to {:.5f}, longitudes {:.5f} to {:.5f}",
+        fmt::format("does not contain the place {:.5f}, {:.5f}: it covers latitudes {:.5f} to "
+                    "{:.5f}, longitudes {:.5f} to {:.5f}",
                     latitude, longitude, reach.south, reach.north, reach.west, reach.east),
         hint);
 }

@@ -24,7 +24,7 @@ GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned 
                                     const char* const* drivers, const char* formats,
                                     const QuietGdal& gdal, const GdalGate& gate) {
     if (!std::filesystem::is_regular_file(file)) {
-        throw InputError(file.string(), "there is no such file");
+        throw InputError(file.string(), "the file does not exist");
     }
     note_file_read(file);
     check_values_are_its_own(file);
@@ -45,7 +45,7 @@ void check_bands(GDALDataset& data, const std::string& where) {
     const int bands = data.GetRasterCount();
     if (bands > most_bands) {
         throw InputError(where, fmt::format("has {} bands, expected at most {}", bands, most_bands),
-                         "write the bands that are needed into a file of their own");
+                         "write the bands that you need to a separate file");
     }
     if (bands == 0) return;
     GDALRasterBand& first = *data.GetRasterBand(1);
@@ -56,11 +56,12 @@ void check_bands(GDALDataset& data, const std::string& where) {
     const double bytes = double(columns) * rows * (side_by_side ? bands : 1) *
                          GDALGetDataTypeSizeBytes(first.GetRasterDataType());
     if (bytes <= largest_block) return;
-    throw InputError(where,
-                     fmt::format("has blocks of {} x {} pixels and {} bands, {:.1f} GB each, "
-                                 "expected at most {:.1f} GB",
-                                 columns, rows, bands, 1e-9 * bytes, 1e-9 * largest_block),
-                     "gdal_translate -b 1 -co TILED=YES makes a file of one band in small blocks");
+    throw InputError(
+        where,
+        fmt::format(
+            "has blocks of {} x {} pixels and {} bands, {:.1f} GB each, expected at most {:.1f} GB",
+            columns, rows, bands, 1e-9 * bytes, 1e-9 * largest_block),
+        "gdal_translate -b 1 -co TILED=YES writes one band in small blocks");
 }
 
 void look_beside(GDALDataset& data, const GdalGate& gate) {

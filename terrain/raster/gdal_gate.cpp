@@ -34,7 +34,7 @@ fs::path own_data;
 
 CPLHTTPResult* fetch_nothing(const char*, CSLConstList, GDALProgressFunc, void*,
                              CPLHTTPFetchWriteFunc, void*, void*) {
-    constexpr const char* why = "nothing is fetched from a network";
+    constexpr const char* why = "network access is not permitted";
     CPLError(CE_Failure, CPLE_AppDefined, "%s", why);
     // With no result at all GDAL would fetch it itself. Its own to free.
     auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));

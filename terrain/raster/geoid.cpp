@@ -17,7 +17,7 @@ std::vector<double> geoid_heights(std::span<const Geodetic> places) {
     // Made once per thread: places on ways are asked for one by one.
     thread_local const Transformation shift =
         transformation(reference_of("EPSG:4326+5773"), reference_of("EPSG:4979"));
-    if (!shift) throw InputError("EGM96", "PROJ knows no way from it to the ellipsoid");
+    if (!shift) throw InputError("EGM96", "PROJ has no transformation from it to the ellipsoid");
     std::vector<double> x, y, z(places.size(), 0.0);
     for (const Geodetic& place : places) {
         x.push_back(place.longitude_deg);
@@ -28,7 +28,7 @@ std::vector<double> geoid_heights(std::span<const Geodetic> places) {
     // Without the grid PROJ would leave every height as it is.
     if (!places.empty() && (std::find(good.begin(), good.end(), 0) != good.end() ||
                             std::all_of(z.begin(), z.end(), [](double h) { return h == 0.0; }))) {
-        throw InputError("EGM96", "PROJ has not got the grid egm96_15 for these places",
+        throw InputError("EGM96", "PROJ lacks the grid egm96_15 for this area",
                          "apt install proj-data");
     }
     return z;

@@ -15,7 +15,8 @@ namespace diurna {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
-    throw std::runtime_error(file.string() + ": GeoTIFF cannot be made: " + CPLGetLastErrorMsg());
+    throw std::runtime_error(file.string() +
+                             ": GeoTIFF cannot be created: " + CPLGetLastErrorMsg());
 }
 
 }  // namespace

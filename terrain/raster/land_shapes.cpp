@@ -22,8 +22,9 @@ constexpr std::size_t most_corners = 1'000'000;
 const char* const shape_drivers[] = {"GeoJSON",    "GeoJSONSeq", "ESRI Shapefile", "GPKG",
                                      "FlatGeobuf", "LIBKML",     nullptr};
 constexpr const char* shape_formats =
-    "known formats: GeoJSON (also a feature a line), ESRI Shapefile (its .shp, or a zip of all its "
-    "files), GeoPackage, KML, KMZ, FlatGeobuf; ogr2ogr shapes.gpkg FILE makes GeoPackage of others";
+    "known formats: GeoJSON (also one feature per line), ESRI Shapefile (its .shp, or a zip of all "
+    "its files), GeoPackage, KML, KMZ, FlatGeobuf; ogr2ogr shapes.gpkg FILE converts others to "
+    "GeoPackage";
 
 struct NoPlace {
     std::string corner;
@@ -119,7 +120,7 @@ double height_of(const OGRFeature& feature, int field, const std::string& where)
                          fmt::format("found '{}', expected a height such as 12.5, \"12.5 m\" or "
                                      "\"41 ft\"",
                                      plain(text.substr(0, 40))),
-                         "correct it in the file, or leave it empty to have height_m");
+                         "correct it in the file, or leave it empty and set height_m");
     }
     return *height;
 }
@@ -151,8 +152,7 @@ std::vector<OGRLayer*> layers_of(GDALDataset& data, const std::string& layer,
         throw InputError(
             file.string(),
             fmt::format("has {} layers of shapes: {}", shaped.size(), fmt::join(names, ", ")),
-            fmt::format("name one: layer = \"{}\", or layer = \"*\" for all of them",
-                        names.front()));
+            fmt::format("select one: layer = \"{}\", or layer = \"*\" for all", names.front()));
     }
     return shaped.empty() ? all : shaped;
 }
@@ -182,7 +182,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
         open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers, shape_formats, gdal, gate);
     // A CRS that is to be fetched, or read of another file, would be WGS84 in place of it.
     if (!gdal.because().empty()) {
-        throw InputError(file.string(), "cannot be read as it stands" + gdal.because());
+        throw InputError(file.string(), "cannot be read" + gdal.because());
     }
     std::vector<LandShape> shapes;
     std::size_t corners = 0, features = 0;
@@ -191,12 +191,12 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
         const int height = field_index(*layer, height_field, file.string());
         const OGRSpatialReference* named = layer->GetSpatialRef();
         if (!named || named->IsEmpty()) {
-            throw InputError(file.string(), "names no coordinate reference system");
+            throw InputError(file.string(), "has no coordinate reference system");
         }
         OGRSpatialReference own = *named;
         own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         const Transformation shift = transformation(own, wgs84());
-        if (!shift) throw InputError(file.string(), "its CRS cannot be brought to WGS84");
+        if (!shift) throw InputError(file.string(), "its CRS cannot be converted to WGS84");
         for (const auto& feature : *layer) {
             ++features;
             if (feature->GetGeometryRef() == nullptr) continue;
@@ -212,10 +212,10 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
             try {
                 append(shapes, *feature->GetGeometryRef(), like, *shift);
             } catch (const NoPlace& none) {
-                throw InputError(file.string(),
-                                 fmt::format("shape {} has a corner at {}, which is no place on "
-                                             "Earth",
-                                             features, none.corner));
+                throw InputError(
+                    file.string(),
+                    fmt::format("shape {} has a corner at {}, which is not a place on Earth",
+                                features, none.corner));
             }
             for (std::size_t i = before; i < shapes.size(); ++i) corners += shapes[i].ring.size();
             if (corners > most_corners) {
@@ -225,7 +225,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
     }
     if (shapes.empty()) {
         throw InputError(file.string(),
-                         fmt::format("holds no polygon or line ({} features)", features));
+                         fmt::format("has no polygon or line ({} features)", features));
     }
     return shapes;
 }

@@ -23,7 +23,7 @@ std::vector<Geodetic> geodetic_of(const std::string& crs, std::span<const Eigen:
         for (const Eigen::Vector2d& at : places) found.push_back({at.x(), at.y(), 0.0});
         return found;
     }
-    if (!is_crs(crs)) throw InputError(crs, "no coordinate reference system that PROJ knows");
+    if (!is_crs(crs)) throw InputError(crs, "is not a coordinate reference system known to PROJ");
     const QuietGdal gdal;
     const GeoProjection& projection = projection_of(crs, crs);
     std::vector<double> x, y;

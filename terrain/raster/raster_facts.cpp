@@ -96,7 +96,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
     }
     constexpr double small = 1e6;  // pictures of one colour may be packed better
     if (pixels * data->GetRasterCount() > most_values || claims_too_much(bytes - small, file)) {
-        throw InputError(where, fmt::format("claims {} bands of {} x {} but has only {} bytes",
+        throw InputError(where, fmt::format("declares {} bands of {} x {}, but has only {} bytes",
                                             data->GetRasterCount(), facts.columns, facts.rows,
                                             std::filesystem::file_size(file)));
     }

@@ -24,15 +24,15 @@ std::string unread_hint(const std::filesystem::path& file, const std::string& fo
             const std::filesystem::path beside =
                 std::filesystem::path(file).replace_extension(data);
             if (std::filesystem::is_regular_file(beside, none)) {
-                return "is the header of a raster: name its data, " + beside.string();
+                return "is the header of a raster: use its data file, " + beside.string();
             }
         }
-        return "is the header of a raster: name the file of its data";
+        return "is the header of a raster: use its data file";
     }
     if (ends == ".hgt" || file.string().ends_with(".hgt.gz") ||
         file.string().ends_with(".hgt.zip")) {
-        return "the name of an SRTM HGT gives its place: N36W085.hgt is the tile whose south-west "
-               "corner is 36 N 85 W";
+        return "the name of an SRTM HGT file gives its place: N36W085.hgt is the tile with the "
+               "south-west corner 36 N 85 W";
     }
     return formats;
 }

@@ -94,7 +94,7 @@ std::optional<OGRSpatialReference> raster_reference(GDALDataset& raster,
             throw InputError(file.string(),
                              "its values are in the order longitude, latitude; expected latitude, "
                              "longitude",
-                             "ncpdq -a lat,lon IN.nc OUT.nc turns them");
+                             "ncpdq -a lat,lon IN.nc OUT.nc exchanges them");
         }
         if (!named && rows == NetcdfAxis::latitude && columns == NetcdfAxis::longitude) {
             return wgs84();

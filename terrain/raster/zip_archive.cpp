@@ -68,13 +68,13 @@ std::string member_name(const std::filesystem::path& file, const std::vector<std
     const auto shown = std::ptrdiff_t(std::min<std::size_t>(members.size(), 6));
     if (wanted.empty()) {
         throw InputError(file.string(),
-                         fmt::format("is a zip archive without a {}; it holds {}{}", what,
+                         fmt::format("is a zip archive without a {}; it contains {}{}", what,
                                      fmt::join(members.begin(), members.begin() + shown, ", "),
                                      shown < std::ptrdiff_t(members.size()) ? " ..." : ""));
     }
     throw InputError(
         file.string(),
-        fmt::format("is a zip archive of {} {}s, expected one: {}, {}{}", wanted.size(), what,
+        fmt::format("is a zip archive with {} {}s, expected one: {}, {}{}", wanted.size(), what,
                     wanted[0], wanted[1], wanted.size() > 2 ? " ..." : ""),
         several);
 }
@@ -125,12 +125,12 @@ std::vector<std::byte> zip_member(const std::filesystem::path& file, const std::
     const std::string name = inside(file) + "/" + member;
     VSIStatBufL found{};
     if (VSIStatL(name.c_str(), &found) != 0) {
-        throw InputError(file.string(), "holds no " + member + gdal.because());
+        throw InputError(file.string(), "has no " + member + gdal.because());
     }
     const auto size = static_cast<std::size_t>(found.st_size);
     if (size > limit) {
         throw InputError(file.string() + ": " + member,
-                         fmt::format("has {} bytes, at most {} are read", size, limit));
+                         fmt::format("has {} bytes, expected at most {}", size, limit));
     }
     VSILFILE* const in = VSIFOpenL(name.c_str(), "rb");
     std::vector<std::byte> bytes(size);
@@ -151,7 +151,7 @@ std::string gdal_raster_name(const std::filesystem::path& file) {
     std::copy_if(members.begin(), members.end(), std::back_inserter(rasters),
                  [&](const std::string& name) { return is_raster_name(name, members); });
     return member_name(file, members, rasters, "raster",
-                       "unpack it and name one, or several as more_tiles");
+                       "unpack it and use one, or several with more_tiles");
 }
 
 std::string gdal_vector_name(const std::filesystem::path& file) {
@@ -161,7 +161,7 @@ std::string gdal_vector_name(const std::filesystem::path& file) {
     const std::vector<std::string> members = own_members(file);
     std::vector<std::string> shapes;
     std::copy_if(members.begin(), members.end(), std::back_inserter(shapes), is_shape_name);
-    return member_name(file, members, shapes, "file of shape", "unpack it and name one");
+    return member_name(file, members, shapes, "file of shape", "unpack it and use one");
 }
 
 bool holds_shapes(const std::filesystem::path& file) {
@@ -187,7 +187,7 @@ std::string unpacked_text(const std::filesystem::path& file) {
         if (text.size() > most) break;
     }
     VSIFCloseL(in);
-    if (text.size() > most) throw InputError(file.string(), "holds over 4 GB of text");
+    if (text.size() > most) throw InputError(file.string(), "has more than 4 GB of text");
     return text;
 }
 

@@ -46,15 +46,14 @@ HeightField::HeightField(int columns, int rows, std::span<const float> up,
                          const std::array<Eigen::Vector2d, 9>& plan)
     : columns_(columns), rows_(rows), pitch_(columns + 2 * border_columns), plan_(plan) {
     if (columns < 2 || rows < 2) {
-        throw InputError("height field", fmt::format("has {} x {} posts; a surface needs at least "
-                                                     "2 x 2",
-                                                     columns, rows));
+        throw InputError("height field",
+                         fmt::format("has {} x {} posts, expected at least 2 x 2", columns, rows));
     }
     assert(up.size() == size());
     for (const double y : {0.0, 0.5, 1.0}) {
         for (const double x : {0.0, 0.5, 1.0}) {
             if (!(jacobian({x * (columns - 1), y * (rows - 1)}).determinant() < 0.0)) {
-                throw InputError("height field", "its rows do not turn clockwise from its columns");
+                throw InputError("height field", "its rows are not clockwise from its columns");
             }
         }
     }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/raster_reference.hpp"
@@ -35,16 +36,17 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel,
     image.rows = data->GetRasterYSize();
     const double texels = double(image.columns) * image.rows;
     if (data->GetRasterCount() < channel) {
-        throw InputError(image.source, fmt::format("has {} channels, asked for number {}",
-                                                   data->GetRasterCount(), channel));
+        throw InputError(image.source,
+                         fmt::format("has {}, expected at least {}",
+                                     number_of(data->GetRasterCount(), "channel"), channel));
     }
     GDALRasterBand& band = *data->GetRasterBand(channel);
     const double bytes = texels * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
     constexpr double small = 1e6;  // pictures of one colour may be packed better
     if (texels > most_texels || claims_too_much(bytes - small, file)) {
         throw InputError(image.source,
-                         fmt::format("claims {} x {} texels but has only {} bytes", image.columns,
-                                     image.rows, std::filesystem::file_size(file)));
+                         fmt::format("declares {} x {} texels, but has only {} bytes",
+                                     image.columns, image.rows, std::filesystem::file_size(file)));
     }
     image.value.resize(std::size_t(image.columns) * std::size_t(image.rows));
     if (band.RasterIO(GF_Read, 0, 0, image.columns, image.rows, image.value.data(), image.columns,
@@ -71,7 +73,7 @@ std::array<Eigen::Vector2d, 6> texels_from_site(const TextureImage& image, const
         *projection_of(image.crs_wkt, image.source).from_geodetic;
     GeoTransform inverse{}, forward = image.transform;
     if (!GDALInvGeoTransform(forward.data(), inverse.data())) {
-        throw InputError(image.source, "its place cannot be used: its texels have no area");
+        throw InputError(image.source, "its georeference cannot be used: its texels have no area");
     }
     constexpr int half = 4;  // nine points across
     Eigen::Matrix<double, Eigen::Dynamic, 6> terms((2 * half + 1) * (2 * half + 1), 6);
@@ -83,7 +85,7 @@ std::array<Eigen::Vector2d, 6> texels_from_site(const TextureImage& image, const
             const Geodetic place = to_geodetic(site, {reach * x, reach * y, 0.0});
             double a = place.longitude_deg, b = place.latitude_deg;
             if (!from_geodetic.Transform(1, &a, &b) || !std::isfinite(a) || !std::isfinite(b)) {
-                throw InputError(image.source, "its CRS does not reach the site" + gdal.because());
+                throw InputError(image.source, "its CRS does not cover the site" + gdal.because());
             }
             terms.row(k) << 1.0, x, y, x * x, x * y, y * y;
             texel.row(k) = map_place(inverse, {a, b}).transpose();

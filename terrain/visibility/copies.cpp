@@ -19,9 +19,9 @@ Copies::Copies(std::vector<Copy> all) : all_(std::move(all)) {
         begin_.push_back(static_cast<std::uint32_t>(std::min(facets, most)));
     }
     if (facets >= most) {
-        throw InputError("copies", fmt::format("found {} facets in all of them, expected fewer "
-                                               "than {}",
-                                               facets, most));
+        throw InputError(
+            "copies",
+            fmt::format("found {} facets in all copies, expected fewer than {}", facets, most));
     }
 }
 

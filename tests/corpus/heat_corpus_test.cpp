@@ -147,7 +147,7 @@ Family temperatures() {
     }
     edit("no temperatures", renamed("surface_temperature", "surface"));
     edit("no times", renamed("time", "when"));
-    Malformed other = rendered("of another mesh", fine);
+    Malformed other = rendered("to another mesh", fine);
     other.files["scene.toml"] =
         changed(yard::scene, "largest_edge_m = 10.0", "largest_edge_m = 7.0");
     cases.push_back(other);
@@ -201,7 +201,7 @@ Family states() {
                            "point_state", "network_state", "reference_K"}) {
         edit(fmt::format("no {}", of), renamed(of, "else"));
     }
-    Malformed other = gone_on("of another mesh", fine);
+    Malformed other = gone_on("to another mesh", fine);
     other.files["scene.toml"] =
         changed(second_day(), "largest_edge_m = 10.0", "largest_edge_m = 7.0");
     cases.push_back(other);

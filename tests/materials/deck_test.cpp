@@ -174,8 +174,9 @@ TEST_CASE("a program that hangs, floods, fails or leaves nothing is told of",
                       Contains("stopped after"));  // a flood of standard output goes nowhere
     CHECK_THROWS_WITH(run_modtran(stub("exit 3\n"), ""), Contains("code 3"));
     CHECK_THROWS_WITH(run_modtran(stub("kill -SEGV $$\n"), ""), Contains("signal 11"));
-    CHECK_THROWS_WITH(run_modtran(stub("true\n"), ""), Contains("left no file"));
-    CHECK_THROWS_WITH(run_modtran(stub("ln -s /etc/passwd tape7\n"), ""), Contains("left no file"));
+    CHECK_THROWS_WITH(run_modtran(stub("true\n"), ""), Contains("wrote no file"));
+    CHECK_THROWS_WITH(run_modtran(stub("ln -s /etc/passwd tape7\n"), ""),
+                      Contains("wrote no file"));
     CHECK(folders_left() == before);
     while (took() < 3.0) ::usleep(50000);
     CHECK_FALSE(fs::exists(trace));

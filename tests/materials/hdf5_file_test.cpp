@@ -55,7 +55,7 @@ TEST_CASE("a netCDF-4 file that would read others is refused", "[materials][hdf5
         H5Lcreate_external(other.c_str(), "/v", id, "linked", H5P_DEFAULT, H5P_DEFAULT);
     });
     CHECK_THROWS_WITH(check_values_are_its_own(file),
-                      Catch::Contains("\"linked\" has its values in another file"));
+                      Catch::Contains("\"linked\" stores its values in another file"));
 
     written(file, [&](hid_t id, hid_t space) {
         const hid_t made = H5Pcreate(H5P_DATASET_CREATE);

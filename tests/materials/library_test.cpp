@@ -84,7 +84,7 @@ TEST_CASE("the library has what the scenes ask for", "[materials][library]") {
         CHECK_FALSE(material(name).thermal.layers.empty());
     }
     CHECK_THROWS_WITH(library().find("aspalt", "scene.toml:3:1: material"),
-                      Catch::StartsWith("scene.toml:3:1: material: no material 'aspalt'") &&
+                      Catch::StartsWith("scene.toml:3:1: material: unknown material 'aspalt'") &&
                           Catch::Contains("did you mean 'asphalt'?"));
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("what is missing from a material is named", "[materials][library]") {
     REQUIRE(unknown.size() == 1);
     CHECK(unknown.front().line() ==
           (data_folder() / "column.toml").string() +
-              ":2:8: material.name: no material 'asphlt' in the library (did you mean "
+              ":2:8: material.name: unknown material 'asphlt' in the library (did you mean "
               "'asphalt'?)");
     CHECK(mistakes("[material]\nname = \"x\"\nlike = \"gras\"\n").front().hint ==
           "did you mean 'grass'?");
@@ -346,7 +346,7 @@ TEST_CASE("a sheet with an open back has no room behind it", "[materials][librar
     CHECK(mistakes(window + "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n").empty());
     const auto both = mistakes(window + "bottom = { kind = \"temperature\", value_K = 290.0 }\n");
     REQUIRE(both.size() == 1);
-    CHECK(both.front().hint == "leave out `bottom` or `back`");
+    CHECK(both.front().hint == "remove `bottom` or `back`");
 }
 
 TEST_CASE("more than all of the light is refused", "[materials][library]") {

@@ -146,13 +146,13 @@ TEST_CASE("a band past the ends of the library's own n and k is told",
         return of_index;
     };
     REQUIRE(reported("ice").size() == 2);
-    CHECK_THAT(reported("ice")[0], Catch::Contains("n and k were given over 0.3 to 25 µm") &&
-                                       Catch::Contains("so in band far"));
-    CHECK_THAT(reported("ice")[1], Catch::Contains("so in band uv"));
+    CHECK_THAT(reported("ice")[0], Catch::Contains("n and k cover 0.3 to 25 µm") &&
+                                       Catch::Contains("affects band far"));
+    CHECK_THAT(reported("ice")[1], Catch::Contains("affects band uv"));
     for (const char* name : {"water", "glass"}) {
         REQUIRE(reported(name).size() == 1);
         CHECK_THAT(reported(name)[0],
-                   Catch::Contains("over 0.3 to 100 µm") && Catch::Contains("so in band uv"));
+                   Catch::Contains("over 0.3 to 100 µm") && Catch::Contains("affects band uv"));
     }
     REQUIRE(reported("aluminium").size() == 1);
     CHECK_THAT(reported("aluminium")[0], Catch::Contains("over 0.30996 to 99.996 µm"));
@@ -175,16 +175,16 @@ TEST_CASE("a spectrum that ends short of heat is told, one in nanometres refused
         return all;
     };
     const std::string asd = "reflectance = \"asd.csv\"\n";
-    CHECK_THAT(notes(asd), Catch::Contains("given over 0.35 to 2.5 µm") &&
-                               Catch::Contains("emissivity 0.7 is a guess"));
+    CHECK_THAT(notes(asd), Catch::Contains("spectra cover 0.35 to 2.5 µm") &&
+                               Catch::Contains("emissivity 0.7 is estimated"));
     CHECK_THAT(notes(asd), !Catch::Contains("albedo"));
     CHECK(notes(asd + "emissivity = 0.95\n").empty());
-    CHECK_THAT(notes(asd + "emissivity = 0.95\n", thermal), Catch::Contains("so in band 8-12"));
+    CHECK_THAT(notes(asd + "emissivity = 0.95\n", thermal), Catch::Contains("affects band 8-12"));
     CHECK_THAT(notes("reflectance = \"heat.csv\"\n"),
-               Catch::Contains("albedo 0.05 is a guess") && !Catch::Contains("emissivity"));
+               Catch::Contains("albedo 0.05 is estimated") && !Catch::Contains("emissivity"));
     CHECK(notes("reflectance = \"whole.csv\"\n", thermal).empty());
     CHECK_THROWS_WITH(notes("reflectance = \"nm.csv\"\n"),
-                      Catch::Contains("350 to 2500 µm") && Catch::Contains("look like nm"));
+                      Catch::Contains("350 to 2500 µm") && Catch::Contains("seem to be in nm"));
     for (const std::string& name : library().names()) {
         CAPTURE(name);
         CHECK(spectrum_notes(library()[library().find(name)], thermal).empty());

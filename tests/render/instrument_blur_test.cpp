@@ -225,5 +225,5 @@ TEST_CASE("more samples of radiance are asked for where the lens is sharper",
     const Camera fine = narrow_camera(sharp, 16, 16), coarse = narrow_camera(blurred, 16, 16);
     CHECK(fine.oversampling.times > coarse.oversampling.times);
     CHECK(coarse.oversampling.times == 2);
-    CHECK(fine.oversampling.why.find("folds back") != std::string::npos);
+    CHECK(fine.oversampling.why.find("are aliased") != std::string::npos);
 }

@@ -118,5 +118,5 @@ TEST_CASE("each preset is a camera, and says what it leaves out", "[render][inst
         CHECK(!left_out(camera.instrument).empty());
         CHECK((light || signal_of(300.0, camera.instrument, camera.response) > 0.0));
     }
-    CHECK_THROWS_WITH(preset("cooled_mwr"), Catch::Contains("no instrument"));
+    CHECK_THROWS_WITH(preset("cooled_mwr"), Catch::Contains("unknown instrument"));
 }

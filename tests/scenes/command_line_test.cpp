@@ -74,7 +74,7 @@ TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
              {"path --band 8:12 --profile MLSS --to-space", "did you mean 'MLS'?"},
              {"path --band 12:8 --to-space", "12"},
              {"path --band 8:12", "expected one of range_km"},
-             {"path --band 8:12 --zenith-deg 120 --to-space", "ends on the ground"},
+             {"path --band 8:12 --zenith-deg 120 --to-space", "ends at the ground"},
              {"mesh nowhere.tif --tolerance-m 1", "nowhere.tif"},
              {"column nowhere.toml", "nowhere.toml: no such file"},
              {"calibrate nowhere.toml", "nowhere.toml: no such file"},
@@ -188,7 +188,7 @@ TEST_CASE("a run that does not converge keeps its results, says so and fails", "
         ++reported;
     CHECK(reported >= 2);
     CHECK(lines(ran.out) == 3 + reported);  // a warning of ground beyond the raster
-    CHECK(ran.out.find("periodic day not converged: its residual is ") != std::string::npos);
+    CHECK(ran.out.find("periodic solution not converged: residual ") != std::string::npos);
     CHECK(
         ran.out.find("diurna: the heat balance has not converged in 12 passes: estimated error ") !=
         std::string::npos);

@@ -74,7 +74,7 @@ TEST_CASE("a glTF names no file beyond the scene's folder", "[confinement][mesh_
         place.refused(beyond);
     }
     gltf("pipe.bin");
-    place.refused("is no regular file");
+    place.refused("is not a regular file");
     for (const std::string uri :
          {"file:///etc/passwd", "%2e%2e/outside/b.bin", "http://127.0.0.1:9/b.bin"}) {
         CAPTURE(uri);
@@ -102,7 +102,7 @@ TEST_CASE("what stands beside a raster leads to no file beyond the scene's folde
         place.refused(beyond);
         fs::remove(sidecar);
         REQUIRE(::mkfifo(sidecar.c_str(), 0600) == 0);
-        place.refused("is no regular file");
+        place.refused("is not a regular file");
         fs::remove(sidecar);
         fs::copy_file(DIURNA_SOURCE_DIR "/scenes/crossover/level.prj", place.yard / "level.prj",
                       fs::copy_options::skip_existing);
@@ -177,7 +177,7 @@ TEST_CASE("shapes lead to no file beyond the scene's folder and to no network",
         CAPTURE(link);
         geojson(R"("crs":{"type":"link","properties":{"href":")" + link +
                 R"(","type":"ogcwkt"}},)");
-        place.refused("cannot be read as it stands");
+        place.refused("cannot be read");
     }
     // A Shapefile is of several files; here without any shape (ESRI Shapefile Technical
     // Description, 1998: 100 bytes of header, the length in words of 16 bits).
@@ -200,6 +200,6 @@ TEST_CASE("shapes lead to no file beyond the scene's folder and to no network",
         fs::remove(sidecar);
         fs::copy_file(wkt, place.yard / "s.prj", fs::copy_options::skip_existing);
         write_text(place.yard / "s.shx", header);
-        place.refused("holds no polygon or line (0 features)");  // read to its end
+        place.refused("has no polygon or line (0 features)");  // read to its end
     }
 }

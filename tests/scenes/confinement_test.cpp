@@ -147,7 +147,7 @@ TEST_CASE("no key of a scene waits for a pipe, opens a device or a folder", "[co
         for (const std::string& name : {named.filename().string(), std::string("inner")}) {
             CAPTURE(name);
             place.write(naming.more(name));
-            place.refused("is no regular file");
+            place.refused("is not a regular file");
         }
         fs::remove(named);
     }
@@ -155,7 +155,7 @@ TEST_CASE("no key of a scene waits for a pipe, opens a device or a folder", "[co
     place.write({.weather = "/dev/zero"});
     const Ran ran = place.ran("--allow-outside");
     CHECK(ran.code == 2);
-    CHECK_THAT(ran.out, Catch::Contains("is no regular file"));
+    CHECK_THAT(ran.out, Catch::Contains("is not a regular file"));
 }
 
 TEST_CASE("links that stay inside are followed, and with --allow-outside those that do not",

@@ -101,7 +101,7 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
                                      "[material.rusty]\nlike = \"painted_sheet\"\n"
                                      "texture = \"worn\"" +
                                      texture),
-        "on which a texture lies");
+        "which has a texture");
     write_text(folder.path / "park.csv",
                "# a yard\neast_m,north_m,heading_deg\n1,2,3\n\n4,\"5\",six\n");
     has(reported("copies_file = \"park.csv\""), "park.csv:5:");
@@ -128,7 +128,7 @@ TEST_CASE("copies that stand in one another are told", "[scenes][copies]") {
         const Prepared built = prepare(read_scene(
             written(folder.path, "[[object]]\nname = \"crate\"\n" + about_crate + places)));
         return std::count_if(built.notes.begin(), built.notes.end(), [](const std::string& note) {
-            return note.find("reach into one another") != std::string::npos;
+            return note.find("intersect") != std::string::npos;
         });
     };
     CHECK(noted("copies = [[0.0, 0.0, 0.0], [0.3, 0.0, 0.0]]") == 1);

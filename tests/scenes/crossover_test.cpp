@@ -143,13 +143,13 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
         CHECK(mistakes[0].line().find(reported) != std::string::npos);
     };
     one("first = \"plat\"\nsecond = \"ground\"\n", "plate");
-    one("first = \"plate\"\nsecond = \"plate\"\n", "the same as first");
+    one("first = \"plate\"\nsecond = \"plate\"\n", "must differ from first");
     one("first = \"plate\"\nsecond_pixels = [40, 0, 10, 2]\n", "48 x 32 pixels");
     one("first = \"plate\"\nsecond = \"ground\"\nbands = [\"0.5-0.6\"]\n", "below 3 um");
     one("first = \"plate\"\nsecond = \"ground\"\nobserver = \"drohne\"\n", "drone");
     one("first = \"plate\"\nsecond = \"ground\"\n"
         "uncertain = [{ key = \"sweep.draw\", one_sigma = 1.0 }]\n",
-        "light or heat");
+        "light or temperature");
     // A region that no pixel is filled by, found before anything is solved.
     const ScratchFolder folder("crossover_unseen");
     lay(folder, plate_on_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));

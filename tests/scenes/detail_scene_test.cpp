@@ -232,8 +232,8 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     fine.height[7000] = std::nanf("");
     place.write(fine);
     CHECK(place.refusal(detail_table)
-              .find("fine.tif: 1 posts (0.0031 %) have no elevation "
-                    "(voids = \"fill\" fills them") != std::string::npos);
+              .find("fine.tif: no elevation at 1 post (0.0031 %) (voids = \"fill\" interpolates "
+                    "them") != std::string::npos);
     {
         const Prepared filled =
             prepare(place.scene(std::string(detail_table) + "voids = \"fill\"\n"));
@@ -254,7 +254,7 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     place.write(fine);
     const auto step_reported = [](const Prepared& prepared) {
         return std::count_if(prepared.notes.begin(), prepared.notes.end(), [](const auto& note) {
-            return note.find("where it is blended into it") != std::string::npos;
+            return note.find("in the blending strip") != std::string::npos;
         });
     };
     const Scene feet = place.scene(std::string(detail_table) + "height_unit = \"ft\"\n");

@@ -67,16 +67,17 @@ TEST_CASE("an export that cannot be writes nothing", "[scenes][export]") {
              {x, "--to is required"},
              {x + " --to vtu", "expected FILE.pvd"},
              {x + " --to geotiff", "--scene: is needed"},
-             {x + " --to geotiff --scene '" + other + "'", "is of another scene"},
+             {x + " --to geotiff --scene '" + other + "'", "belongs to another scene"},
              {x + " --to kmz", "--scene: is needed"},
-             {x + " --to csv --scene '" + other + "'", "are for --to geotiff and kmz"},
+             {x + " --to csv --scene '" + other + "'", "apply to --to geotiff and kmz only"},
              {x + " --to ply", "expected one"},
-             {x + " --to ply --of object:hangar --at 2026-07-15T04:10:00Z", "is for --to csv"},
+             {x + " --to ply --of object:hangar --at 2026-07-15T04:10:00Z",
+              "applies to --to csv only"},
              {x + " --to csv --of object:hangr", "did you mean 'object:hangar'?"},
              {x + " --to csv --at yesterday", "--at"},
              {x + " --to csv --at 2026-07-16T04:10:00Z", "holds 2026-07-15T04:00:00Z to"},
-             {quoted(run / "temperatures.nc") + " --to csv", "they would take its place"},
-             {quoted(folder.path / "no/x") + " --to csv", "there is no such folder"},
+             {quoted(run / "temperatures.nc") + " --to csv", "would be overwritten"},
+             {quoted(folder.path / "no/x") + " --to csv", "the folder does not exist"},
          }) {
         const Ran refused = diurna(begin + arguments);
         CAPTURE(arguments, refused.out);

@@ -108,7 +108,7 @@ TEST_CASE("a scene's instruments measure what is seen", "[scenes][instrument]") 
         CHECK(off > 0.01);
         CHECK(off < 1.5);
         CHECK(frame.attributes.at("instrument.bits") == "14");
-        CHECK(frame.notes.at("instrument").find("folds back") != std::string::npos);
+        CHECK(frame.notes.at("instrument").find("are aliased") != std::string::npos);
         // Counts are those of the calibration: linear in the signal.
         const double zero = std::stod(frame.attributes.at("instrument.count_zero"));
         const double slope = std::stod(frame.attributes.at("instrument.counts_per_signal"));
@@ -123,8 +123,8 @@ TEST_CASE("a scene's instruments measure what is seen", "[scenes][instrument]") 
         return std::any_of(report.notes.begin(), report.notes.end(),
                            [&](const auto& note) { return note.find(words) != std::string::npos; });
     };
-    CHECK(reported("samples of radiance a pixel each way"));
-    CHECK(reported("left out for want of settings: "));
+    CHECK(reported("radiance samples per pixel and axis"));
+    CHECK(reported("effects without settings, not modelled: "));
     CHECK(reported("NETD at 300 K 45 mK"));
     CHECK_FALSE(reported("the same noise"));
 }
@@ -148,20 +148,21 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
     CHECK(mistakes_of(one + "[instrument]\npreset = \"cooled_mwir\"\n").empty());
     const std::vector<std::array<std::string, 2>> wrong = {
         {"[instrument]\npreset = \"cooled\"\n", "preset"},
-        {"[instrument]\nobserver = \"west\"\n", "no observer \"west\""},
-        {"[instrument]\nband = \"8-12\"\n", "no band \"8-12\""},
+        {"[instrument]\nobserver = \"west\"\n", "unknown observer \"west\""},
+        {"[instrument]\nband = \"8-12\"\n", "unknown band \"8-12\""},
         {"[instrument]\noptics = { f_numbr = 2.0 }\n", "did you mean 'f_number'?"},
         {"[instrument]\noptics = { transmission_curve = [[8.0, 0.9], [12.0, 0.9]] }\n",
-         "nothing of the band 3-5"},
+         "no response in the band 3-5"},
         {"[instrument]\nblur = { turbulence_cn2 = 1e-14 }\n", "turbulence_range_m"},
-        {"[instrument]\ndetector = { netd_mK = 20.0, read_noise = 3.0 }\n", "stands beside"},
+        {"[instrument]\ndetector = { netd_mK = 20.0, read_noise = 3.0 }\n",
+         "cannot be combined with"},
         {"[instrument]\nelectronics = { bits = 20 }\n", "8 to 16"},
         {"[instrument]\nelectronics = { display = \"manual\" }\n", "level"},
         {"[instrument]\ndetector = { time_constant_ms = 8.0 }\n", "time_constant_ms"},
-        {"[instrument]\ncorrection = { kind = \"none\", interval_min = 3.0 }\n", "tells nothing"},
+        {"[instrument]\ncorrection = { kind = \"none\", interval_min = 3.0 }\n", "has no effect"},
         {"[instrument]\ncorrection = { kind = \"none\" }\ndetector = { gain_drift = 0.1 }\n",
-         "of which there is none"},
-        {"[instrument]\noptics = { narcissus = 0.0, narcissus_radius = 1.0 }\n", "tells nothing"},
+         "there is no correction"},
+        {"[instrument]\noptics = { narcissus = 0.0, narcissus_radius = 1.0 }\n", "has no effect"},
         {"[[instrument]]\n[[instrument]]\nname = \"b\"\n", "a second instrument of \"east\""},
     };
     for (const auto& [text, expected] : wrong) {
@@ -195,14 +196,14 @@ TEST_CASE("settings that contradict each other are told before anything is compu
     const std::string quiet = reported(start + "detector = { netd_mK = 1.0 }\n");
     CHECK(quiet.find("scene.toml:") != std::string::npos);
     CHECK(quiet.find("a NETD of 1 mK is less than") != std::string::npos);
-    CHECK(reported(start + "optics = { k1 = -40.0 }\n").find("folds over") != std::string::npos);
+    CHECK(reported(start + "optics = { k1 = -40.0 }\n").find("is not unique") != std::string::npos);
     const std::string bright =
         with(small_scene(), "bands = [\"3-5\", \"8-12\"]", "bands = [\"0.4-0.7\"]") +
         "[instrument]\npreset = \"visible\"\n";
     CHECK(reported(bright).empty());
     CHECK(reported(bright +
                    "correction = { kind = \"two_point\", temperatures_K = [290.0, 310.0] }\n")
-              .find("no light to correct") != std::string::npos);
+              .find("cannot be corrected") != std::string::npos);
 }
 
 TEST_CASE("a bolometer goes on from the picture before", "[scenes][instrument]") {
@@ -235,6 +236,6 @@ TEST_CASE("a plan tells what an instrument costs and leaves out", "[scenes][inst
     CHECK(rays >= 64.0 * 48.0 * 16.0);  // no fewer than the observer's own
     CHECK(with_one.plan.seconds > without.plan.seconds);
     const std::string text = describe(with_one.plan);
-    CHECK(text.find("samples of radiance a pixel each way") != std::string::npos);
+    CHECK(text.find("radiance samples per pixel and axis") != std::string::npos);
     CHECK(text.find("stages of instrument cooled_mwir") != std::string::npos);
 }

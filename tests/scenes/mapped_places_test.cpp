@@ -221,7 +221,7 @@ TEST_CASE("heights above the sea and the ellipsoid part by the geoid",
     const Prepared untold = prepared(scene_with(eye(at + "height_above_ellipsoid_m = 1500.0\n")));
     const auto tells = [](const Prepared& p) {
         return std::any_of(p.notes.begin(), p.notes.end(), [](const std::string& note) {
-            return note.find("\"eye\" above the ellipsoid") != std::string::npos;
+            return note.find("\"eye\" use the same zero") != std::string::npos;
         });
     };
     CHECK(tells(untold));
@@ -283,7 +283,7 @@ TEST_CASE("places that are none, or not what they seem, are told", "[scenes][pla
     CHECK_THAT(reported("place_m = [0.0, 0.0]\nplace_crs = \"EPSG:32616\"\n"),
                Catch::Contains("place_crs") && Catch::Contains("unknown key"));
     CHECK_THAT(reported("place = [36.335, -84.18]\nheight_above_sea_m = 500.0\n"),
-               Catch::Contains("stands beside another height"));
+               Catch::Contains("found two heights"));
     for (const char* none :
          {"place = [36.335]\n", "place = [nan, -84.18]\n", "place = \"36.335, -84.18\"\n",
           "place = [753000.0, 4024000.0]\nplace_crs = 32616\n"}) {
@@ -302,7 +302,7 @@ TEST_CASE("places that are none, or not what they seem, are told", "[scenes][pla
     }
     CHECK_THAT(mistakes_of(scene_with(with(eye("place_m = [0.0, 0.0]\n" + height), "eye", "a/b") +
                                       with(eye("place_m = [9.0, 0.0]\n" + height), "eye", "a-b"))),
-               Catch::Contains("\"a/b\" and \"a-b\" would have one name"));
+               Catch::Contains("\"a/b\" and \"a-b\" would have the same names"));
     CHECK_THAT(
         mistakes_of(scene_with(R"([[object]]
 name = "lot"
@@ -310,5 +310,5 @@ model = "truck"
 copies_file = "lot.csv"
 )" + eye("place_m = [0.0, 0.0]\n" + height)),
                     "latitude_deg,longitude_deg,heading_deg\n36.32,-84.2,0\n136.32,-84.2,0\n"),
-        Catch::Contains("lot.csv:3") && Catch::Contains("no place"));
+        Catch::Contains("lot.csv:3") && Catch::Contains("not a place"));
 }

@@ -73,7 +73,7 @@ TEST_CASE("diurna materials tells one with its sources, and the nearest of a wro
     const Ran wrong = diurna_says("materials brwn_paint");
     CHECK(wrong.code == 2);
     CHECK(wrong.out ==
-          "diurna materials: no material 'brwn_paint' (did you mean 'brown_paint'?)\n");
+          "diurna materials: unknown material 'brwn_paint' (did you mean 'brown_paint'?)\n");
     CHECK(diurna_says("materials rock --page").code == 2);
     const Ran all = diurna_says("materials");
     CHECK(all.code == 0);

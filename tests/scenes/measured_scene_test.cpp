@@ -107,7 +107,7 @@ Prepared under_holes(const std::string& weather, const std::string& time) {
 TEST_CASE("gaps in the days that a start is found from are gaps", "[scenes][weather][gaps]") {
     const std::string hole = "no weather between 2026-07-13T10:00:00Z and 2026-07-13T22:00:00Z";
     CHECK_THROWS_WITH(under_holes("", ""),
-                      Catch::Contains(hole) && Catch::Contains("days that its start is found"));
+                      Catch::Contains(hole) && Catch::Contains("the days before the span"));
     CHECK_THROWS_WITH(under_holes("", "spin_up = \"weather\"\nspin_up_days = 2\n"),
                       Catch::Contains(hole));
     // Eleven rows that are not there, reported of as filled.

@@ -80,5 +80,5 @@ TEST_CASE("a split by heats of one heat is reported", "[scenes][labels][sweep]")
     sweep.base.sweep.split = SweepSplit::heats;
     const MergedLabels merged = merge_labels(sweep, folder.path);
     REQUIRE(merged.notes.size() == 1);
-    CHECK(merged.notes[0].find("one side") != std::string::npos);
+    CHECK(merged.notes[0].find("in one set") != std::string::npos);
 }

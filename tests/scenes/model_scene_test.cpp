@@ -120,8 +120,9 @@ TEST_CASE("what does not go with a model is told", "[scenes][models]") {
     };
     CHECK(reported("").empty());
     CHECK(reported("", "trukc").find("did you mean 'truck'") != std::string::npos);
-    CHECK(reported("mesh = \"mesh.obj\"\n").find("stands beside model") != std::string::npos);
-    CHECK(reported("up = \"y\"\n").find("stands beside model") != std::string::npos);
+    CHECK(reported("mesh = \"mesh.obj\"\n").find("cannot be combined with model") !=
+          std::string::npos);
+    CHECK(reported("up = \"y\"\n").find("cannot be combined with model") != std::string::npos);
     CHECK(reported("running = [\"5 to 6\"]\n").find("expected hours") != std::string::npos);
     CHECK(reported("running = [\"05:00-06:00\"]\n", "container").find("runs = true") !=
           std::string::npos);

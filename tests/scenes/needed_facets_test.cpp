@@ -93,10 +93,10 @@ TEST_CASE("a scene whose state is kept is solved whole", "[scenes][needed]") {
     CHECK(result.report.facets == prepared.world.surfaces().size());
     const auto reported = [](const SpanResult& of, const std::string& why) {
         return std::any_of(of.notes.begin(), of.notes.end(), [&](const std::string& note) {
-            return note.find("every facet, in spite of tolerance_K: " + why) != std::string::npos;
+            return note.find("all facets; tolerance_K is not used: " + why) != std::string::npos;
         });
     };
-    CHECK(reported(result, "the heat of all is kept"));
+    CHECK(reported(result, "the state of all facets is saved"));
 }
 
 // A box with a room, over ground that no picture shows: the shade below it warms its bottom, its

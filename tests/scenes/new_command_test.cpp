@@ -30,9 +30,9 @@ TEST_CASE("a first scene of an elevation file alone is one that solves", "[scene
     const ScratchFolder folder("new");
     const fs::path scene = folder.path / "place", reported = folder.path / "told.txt";
     REQUIRE(verb("new '" + scene.string() + "' --dem '" + elevation + "'", reported) == 0);
-    CHECK(read_text(reported).find("its weather is made up") != std::string::npos);
+    CHECK(read_text(reported).find("the weather is generated") != std::string::npos);
     CHECK(fs::exists(scene / "elevation.tif"));
-    CHECK(read_text(scene / "scene.toml").find("no measurement") != std::string::npos);
+    CHECK(read_text(scene / "scene.toml").find("not measured") != std::string::npos);
     // Noon of its clock is within half an hour of the sun's.
     const Scene read = read_scene(scene / "scene.toml");
     CHECK(std::abs(read.time.utc_offset / 3600.0 - read.site->longitude_deg / 15.0) <= 0.5);
@@ -68,7 +68,7 @@ TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
     const std::string begin = "new '" + scene.string() + "' --dem ";
     for (const auto& [arguments, says] :
          {std::pair{fmt::format("'{}/none.tif'", folder.path.string()), std::string("none.tif")},
-          {"'" + elevation + "' --at 36.3", std::string("degrees north and east")},
+          {"'" + elevation + "' --at 36.3", std::string("latitude and longitude in degrees")},
           {"'" + elevation + "' --at 10.0,20.0", std::string("expected 60 at least")},
           {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {
         CHECK(verb(begin + arguments, reported) == 2);

@@ -131,8 +131,8 @@ TEST_CASE("snow lies in the open and on a roof, not under it nor in flight", "[s
         }
         std::string reported;
         for (const std::string& note : result.notes) reported += note + "\n";
-        CHECK_THAT(reported, Catch::Contains("rain and snow fall straight down"));
-        CHECK((reported.find("in flight and gather none") != std::string::npos) ==
+        CHECK_THAT(reported, Catch::Contains("rain and snow fall vertically"));
+        CHECK((reported.find("in flight and without rain or snow") != std::string::npos) ==
               (*object != '\0'));
     }
 }

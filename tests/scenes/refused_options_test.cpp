@@ -64,7 +64,7 @@ TEST_CASE("an empty text is no name of anything", "[command_line][options]") {
         const Ran got = in_folder(folder.path, arguments);
         CAPTURE(got.out);
         CHECK(got.code == 2);
-        CHECK(got.out.find("found an empty text") != std::string::npos);
+        CHECK(got.out.find("found an empty value") != std::string::npos);
     }
     CHECK(files_in(folder.path) == 0);
 }
@@ -83,7 +83,7 @@ TEST_CASE("results do not go over what they are made of", "[command_line][option
         const Ran got = in_folder(folder.path, path + name);
         CAPTURE(got.out);
         CHECK(got.code == 2);
-        CHECK(got.out.find("is what the results are made of") != std::string::npos);
+        CHECK(got.out.find("is an input of this run") != std::string::npos);
         CHECK(diurna::read_text(folder.path / "sonde.csv") == text);
     }
     CHECK(in_folder(folder.path, path + "spectrum.csv").code == 0);
@@ -135,7 +135,7 @@ TEST_CASE("a camera in a sheet is refused, one beside it is not", "[command_line
         const Ran got = in_folder(folder.path, "check scene.toml --allow-outside");
         CAPTURE(height, got.out);
         CHECK(got.code == code);
-        CHECK((got.out.find("camera lies in a surface of \"sheet\"") != std::string::npos) ==
+        CHECK((got.out.find("camera is in a surface of \"sheet\"") != std::string::npos) ==
               (code == 2));
     }
 }

@@ -136,10 +136,10 @@ TEST_CASE("a file of n and k that is short of a band is refused", "[scenes][band
     CHECK(line.find("scene.toml:49:58: material.varnished.finish.index_file: ") !=
           std::string::npos);
     CHECK(short_of[0].problem ==
-          "band 8-12 needs n and k from 8 to 12 um, the file has them from 3 to 11");
-    CHECK(short_of[0].hint == "add rows to it, or take effective_index = true beyond 4 um");
+          "band 8-12 needs n and k from 8 to 12 um, the file has 3 to 11 um");
+    CHECK(short_of[0].hint == "add rows to the file, or set effective_index = true (beyond 4 um)");
     CHECK(mistakes(gloss, 3.5, 20.0).size() == 1);
-    CHECK(mistakes(metal, 3.0, 11.0).at(0).hint == "add rows to it");
+    CHECK(mistakes(metal, 3.0, 11.0).at(0).hint == "add rows to the file");
     CHECK(mistakes(gloss + effective, 2.0, 4.5).empty());
     CHECK(mistakes(gloss + effective, 2.0, 3.5).size() == 1);
     CHECK(mistakes(metal + effective, 1.0, 2.0).empty());

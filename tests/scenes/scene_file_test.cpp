@@ -56,7 +56,7 @@ TEST_CASE("mistakes of a scene carry place, expectation and the nearest word",
     found = mistakes_of(with(small_scene(), "\"asphalt\"", "\"asfalt\""));
     REQUIRE(found.size() == 1);
     CHECK(found[0].where.find(":17:12: ground[0].material") != std::string::npos);
-    CHECK(found[0].problem == "no material \"asfalt\"");
+    CHECK(found[0].problem == "unknown material \"asfalt\"");
     CHECK(found[0].hint == "did you mean 'asphalt'? `diurna materials` lists the library");
 
     found = mistakes_of(with(with(small_scene(), "width = 64", "width = 0"), "\"3-5\"", "\"5-3\""));
@@ -117,7 +117,7 @@ TEST_CASE("no pixel looks round the back of the sphere", "[scenes][scene_file]")
     // The corners of a square of 360 degrees are 254 off the axis; 254.6 is where they are 180.
     const std::string square = reported(
         "projection = \"equidistant\"\nhorizontal_fov_deg = 360.0\nwidth = 64\nheight = 64\n");
-    CHECK(square.find("look round its back") != std::string::npos);
+    CHECK(square.find("have directions behind it") != std::string::npos);
     CHECK(square.find("horizontal_fov_deg = 254") != std::string::npos);
     CHECK(reported(
               "projection = \"equidistant\"\nhorizontal_fov_deg = 254.0\nwidth = 64\nheight = 64\n")

@@ -117,7 +117,7 @@ TEST_CASE("a reader is told of heights, and of hollows that keep no cold air",
         return height_note(r.scene, r.world, r.weather);
     };
     CHECK_THAT(note(""), Catch::Contains("250 to 1450 m") && Catch::Contains("-6.5 K/km") &&
-                             !Catch::Contains("cold pools"));
-    CHECK_THAT(note("height_m = 900.0\n"), Catch::Contains("cold pools"));
+                             !Catch::Contains("cold-air pools"));
+    CHECK_THAT(note("height_m = 900.0\n"), Catch::Contains("cold-air pools"));
     CHECK_THAT(note("lapse = 0\n"), Catch::Contains("lapse is 0"));
 }

@@ -81,19 +81,19 @@ TEST_CASE("objects in one another, over and under the ground are doubted", "[sce
         const auto lines = warnings_of(base + box("a", "place_m = [300.0, 900.0]") +
                                        box("b", "place_m = [301.5, 900.3]"));
         CHECK(lines.size() == 1);
-        CHECK(reported(lines, "object.b.place_m", "reaches into \"a\""));
+        CHECK(reported(lines, "object.b.place_m", "intersects \"a\""));
     }
     SECTION("within the hangar") {
         const auto lines = warnings_of(base + box("truck", "place_m = [53.0, -88.4]"));
         CHECK(lines.size() == 1);
-        CHECK(reported(lines, "object.truck.place_m", "stands inside \"hangar\""));
+        CHECK(reported(lines, "object.truck.place_m", "is inside \"hangar\""));
     }
     SECTION("through its wall: 20 m from its middle along its heading of 45 degrees") {
         const double aside = 20.0 * std::sqrt(0.5);
         CHECK(reported(
             warnings_of(base + box("truck", "place_m = [" + std::to_string(53.0 + aside) + ", " +
                                                 std::to_string(-88.4 + aside) + "]")),
-            "object.truck.place_m", "reaches into \"hangar\""));
+            "object.truck.place_m", "intersects \"hangar\""));
     }
     SECTION("5 m over the ground") {
         const auto lines =
@@ -115,13 +115,13 @@ TEST_CASE("objects in one another, over and under the ground are doubted", "[sce
     }
     SECTION("a thousand times as small") {
         CHECK(reported(warnings_of(base + box("a", "place_m = [300.0, 900.0]\nscale = 0.001")),
-                       "object.a", "is 0.002 m in size"));
+                       "object.a", "has a size of 0.002 m"));
     }
     SECTION("a hundred and more times as large") {
         CHECK(reported(warnings_of(base + box("a",
                                               "place_m = [300.0, 900.0]\nscale = 160.0\n"
                                               "largest_edge_m = 50.0\nground_edge_m = 50.0")),
-                       "object.a", "is 320 m in size"));
+                       "object.a", "has a size of 320 m"));
     }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("cameras that look at nothing and places in degrees are doubted", "[sc
         warnings_of(base + box("a", "place_m = [300.0, 900.0]") +
                     eye("place_m = [300.0, 898.8]\nheight_above_ground_m = 1.0\n"
                         "azimuth_deg = 0.0\nelevation_deg = 0.0\nhorizontal_fov_deg = 20.0")),
-        "observer.eye", "right before its lens"));
+        "observer.eye", "directly in front of its lens"));
     // The site is 36.32 N 84.203 W.
     CHECK(reported(warnings_of(base + box("a", "place_m = [-84.21, 36.33]")), "object.a.place_m",
                    "look like longitude and latitude"));
@@ -172,7 +172,7 @@ TEST_CASE("check tells of doubts, and strictly refuses them", "[scenes][warnings
     CHECK(read_text(reported_file).find("warning: ") != std::string::npos);
     CHECK(read_text(reported_file).find(": 1 warning, ") != std::string::npos);
     CHECK(verb("check --strict") == 2);
-    CHECK(read_text(reported_file).find("stands inside \"hangar\"") != std::string::npos);
+    CHECK(read_text(reported_file).find("is inside \"hangar\"") != std::string::npos);
     const fs::path out = folder().path / "out";
     CHECK(verb("run --set time.duration_h=0.5 --out '" + out.string() + "'") == 0);
     CHECK(read_text(out / "report.html").find("stands inside &quot;hangar&quot;") !=
@@ -190,7 +190,7 @@ TEST_CASE("mistyped names are told with what mends them", "[scenes][warnings]") 
     };
     const std::string base = small_scene();
     const std::string tarmac = refusal(with(base, "\"asphalt\"", "\"tarmac\""));
-    CHECK(tarmac.find("no material \"tarmac\" (did you mean 'asphalt'? `diurna materials`") !=
+    CHECK(tarmac.find("unknown material \"tarmac\" (did you mean 'asphalt'? `diurna materials`") !=
           std::string::npos);
     CHECK(refusal(with(base, "\"asphalt\"", "\"Asphalt\"")).find("did you mean 'asphalt'?") !=
           std::string::npos);

@@ -78,9 +78,9 @@ output = [
     // What has no part in it is reported, and is zero to the last digit.
     CHECK(plain["uncertain"][1]["slope"] == 0.0);
     CHECK(contrast["uncertain"][1]["slope"] == 0.0);
-    CHECK(reported.find("wind_factor changes nothing") != std::string::npos);
-    CHECK(reported.find("internal_heat_W_m2 changes nothing") == std::string::npos);
-    CHECK(json["notes"].dump().find("wind_factor changes nothing") != std::string::npos);
+    CHECK(reported.find("wind_factor has no effect") != std::string::npos);
+    CHECK(reported.find("internal_heat_W_m2 has no effect") == std::string::npos);
+    CHECK(json["notes"].dump().find("wind_factor has no effect") != std::string::npos);
 }
 
 TEST_CASE("a crossover moves with a number as its schedule has it",
@@ -213,7 +213,7 @@ output = [
     refused(in + "output = [{ first = \"plate\" }]\n", "at_h: missing");
     refused(in + "output = [{ first = \"plate\", at_h = 9.0, number = 2 }]\n", "unknown key");
     refused(in + "output = [{ first = \"plate\", second = \"plate\", figure = \"crossover\" }]\n",
-            "the same as first");
+            "must differ from first");
     refused(in + "output = [{ first = \"plate\", second = \"ground\", figure = \"crossover\", band "
                  "= \"0.5-0.6\" }]\n",
             "below 3 um");
@@ -225,7 +225,8 @@ output = [
             "found 1.5");
     refused(out + "uncertain = [{ key = \"material.black.albdo\", low = 0.5, high = 0.9 }]\n",
             "albedo");
-    refused(out + "uncertain = [{ key = \"sweep.draw\", low = 1, high = 2 }]\n", "light or heat");
+    refused(out + "uncertain = [{ key = \"sweep.draw\", low = 1, high = 2 }]\n",
+            "light or temperature");
     refused(out + "uncertain = [" + heat + ", " + heat + "]\n", "twice");
     lay_heated_plate(folder, "");
     CHECK(sensitivity(folder) == 2);

@@ -301,7 +301,7 @@ TEST_CASE("mistakes of studies are told where they stand", "[scenes][signature]"
     CHECK_THAT(problem(study + "bands = [\"8-12\"]\ndirections = 100\n"),
                Catch::Contains("expected 42, 162 or 642"));
     CHECK_THAT(problem(study + "bands = [\"8-12\"]\nname = \"../x\"\n"),
-               Catch::Contains("names files"));
+               Catch::Contains("is used in file names"));
     CHECK_THAT(problem("[[signature]]\nobject = \"thong\"\nbands = [\"8-12\"]\n"),
                Catch::Contains("thing"));
     CHECK_THAT(problem("[[detection]]\nobject = \"thing\"\n"), Catch::Contains("[[instrument]]"));

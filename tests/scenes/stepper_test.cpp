@@ -221,9 +221,9 @@ TEST_CASE("what a stepper cannot do is told", "[scenes][stepper]") {
     CHECK_THROWS_WITH(scene.put("crate", {1e6, 0.0}, 0.0), Contains("crate"));
     CHECK_THROWS_WITH(scene.observer("west"), Contains("no observer \"west\""));
     CHECK_THROWS_WITH(scene.advance(clock("00:00:00") - std::chrono::hours(1)),
-                      Contains("before now"));
+                      Contains("before the present time"));
     CHECK_THROWS_WITH(scene.advance(clock("23:59:59") + std::chrono::hours(1)),
-                      Contains("span's end"));
+                      Contains("end of the span"));
     CHECK(scene.now() == clock("00:00:00"));
 }
 

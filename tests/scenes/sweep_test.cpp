@@ -163,7 +163,8 @@ void check_shards() {
     check_same(whole().out, folder.path / "killed");
     // Killed after all else: its ledger is still there.
     write_text(folder.path / "killed/variants/v1/ledger.jsonl", "{}\n");
-    CHECK(printed(command + " 2>/dev/null").find("0 variants rendered, 4 kept, 0 heats solved") !=
+    CHECK(printed(command + " 2>/dev/null")
+              .find("0 variants rendered, 4 reused, 0 heat balances computed") !=
           std::string::npos);
     check_same(whole().out, folder.path / "killed");
 }
@@ -387,18 +388,19 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
         return file + ":" + std::to_string(count) + line;
     };
     std::string reported = lines_of(folder, axis("building.hangar.roof", "[\"painted_stel\"]"));
-    CHECK(reported.starts_with(place(":11: building[0].roof: no material \"painted_stel\"")));
+    CHECK(reported.starts_with(place(":11: building[0].roof: unknown material \"painted_stel\"")));
     reported = lines_of(folder, axis("observer.east.hieght_above_ground_m", "[1.0, 2.0]"));
     CHECK(reported.starts_with(place(":11: observer[0].hieght_above_ground_m: unknown key")));
     CHECK(std::count(reported.begin(), reported.end(), '\n') == 1);
     reported = lines_of(folder, axis("observer.west.samples", "[1, 2]"));
-    CHECK(reported.find("no observer \"west\"") != std::string::npos);
+    CHECK(reported.find("unknown observer \"west\"") != std::string::npos);
     reported = lines_of(folder, axis("observer.east.samples", "[4, -1]"));
     CHECK(reported.starts_with(place(":14: observer[0].samples: found -1")));
-    CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("no sweep") != std::string::npos);
-    CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are 2") !=
+    CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("cannot change a sweep") !=
           std::string::npos);
-    CHECK(lines_of(folder, axis("scene.seed", "[]")).find("one value or more") !=
+    CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are only 2") !=
+          std::string::npos);
+    CHECK(lines_of(folder, axis("scene.seed", "[]")).find("at least one value") !=
           std::string::npos);
     CHECK(lines_of(folder, axis("scene.seed", "[1, 2]") + axis("scene.seed", "[1]"))
               .find("two change scene.seed") != std::string::npos);

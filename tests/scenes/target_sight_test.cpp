@@ -75,7 +75,7 @@ TEST_CASE("a hidden target is drawn again at the same range, the same each time"
     const Eigen::Vector3d middle(0.0, 0.0, 1.5);
     CHECK((eye - middle).norm() == Approx(50.0).margin(0.2));
     const std::string& note = scene.sequences[0].note;
-    CHECK(note.find("drawn again: aspect") != std::string::npos);
+    CHECK(note.find("redrawn: aspect") != std::string::npos);
     CHECK(std::find(scene.notes.begin(), scene.notes.end(), note) != scene.notes.end());
     CHECK(seen(folder, "aspect_deg = 0.0" + again).sequences[0].at(0).position == eye);
     // One that is seen stays where it is.

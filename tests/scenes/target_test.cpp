@@ -454,9 +454,10 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
         reported("[[object.part]]\nname = \"lit\"\n"),
         Contains("no part \"lit\" in the mesh, which has lid") && Contains("did you mean 'lid'?"));
     CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\ninside = \"hall\"\n"),
-               Contains("'hall', which is no enclosure"));
-    CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\nhours = [\"5 till 7\"]\n"),
-               Contains("hours: found '5 till 7', expected hours and a share as 05:30-06:10 0.3"));
+               Contains("'hall', which is not an enclosure"));
+    CHECK_THAT(
+        reported("[[object.part]]\nname = \"lid\"\nhours = [\"5 till 7\"]\n"),
+        Contains("hours: found '5 till 7', expected hours and a share such as 05:30-06:10 0.3"));
     CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\n[[object.link]]\nbetween = [\"lid\", "
                         "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
                Contains("no 'engin' in this object") && Contains("did you mean 'engine'?"));
@@ -468,7 +469,7 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
                               "heat_capacity_J_K = 1000\n"),
                Contains("heat_capacity_J_K: of a lump that is held"));
     CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"ground\"\n"),
-               Contains("'ground' stands for something else already"));
+               Contains("'ground' is already in use"));
     const std::string on_ground = "[[object.contact]]\nconductance_W_m2K = 50\nbetween = ";
     CHECK_THAT(reported(lid + on_ground + "[\"lid\", \"ground\"]\n" + on_ground +
                         "[\"ground\", \"lid\"]\n"),

@@ -183,26 +183,26 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
         CHECK(line.find(part) != std::string::npos);
     };
     has(problem(with(textured(good), "texture = \"t\"", "texture = \"tt\"")),
-        "no texture \"tt\" in [[texture]] (did you mean 't'?)");
+        "unknown texture \"tt\" in [[texture]] (did you mean 't'?)");
     has(problem(textured(good + "sdt = 1")), "unknown key");
     has(problem(textured("std = 0.02")), "correlation_length_m: missing");
     has(problem(textured("what = \"colour\"\n" + good)), "texture[0].what");
     has(problem(textured("mean = 0.5\nstd = 0.3\ncorrelation_length_m = 2.0")),
         "found 0.3 about a mean of 0.5");
     has(problem(textured("std = 0.2\ncorrelation_length_m = 2.0")),
-        "on material \"asphalt\": more than a fortieth would be cut off");
+        "on material \"asphalt\": more than 2.5 % of values would be cut off");
     has(problem(textured("what = \"mixture\"\n" + good)), "expected the names of two materials");
     has(problem(textured("what = \"mixture\"\nbetween = [\"grass\", \"gras\"]\n" + good)),
-        "no material \"gras\" (did you mean 'grass'?)");
+        "unknown material \"gras\" (did you mean 'grass'?)");
     has(problem(textured("file = \"none.png\"")), "no such file: ");
     has(problem(textured("file = \"grid.asc\"\nmetres_per_texel = 1.0")),
-        "makes values from 0 to 255, expected 0 to 1");
+        "gives values from 0 to 255, expected 0 to 1");
     has(problem(textured("file = \"grid.asc\"\nscale = 0.0039")),
         "metres_per_texel: missing, and grid.asc does not say where on Earth it lies");
     has(problem(textured("file = \"grid.asc\"\nscale = 0.0039\nplace_m = [0.0, 0.0]")),
         "metres_per_texel: missing");
     has(problem(textured("file = \"grid.asc\"\nchannel = 3\nmetres_per_texel = 1.0")),
-        "has 1 channels, asked for number 3");
+        "has 1 channel, expected at least 3");
     has(problem(textured(good) + "[[texture]]\nname = \"t\"\n" + good),
         "a second texture named \"t\"");
 }

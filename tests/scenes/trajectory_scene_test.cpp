@@ -205,13 +205,13 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 40.0, 50.0]")),
                Contains("3 numbers for 2 waypoints"));
     CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 0.0]")),
-               Contains("not later than number 1"));
+               Contains("not later than time 1"));
     CHECK_THAT(reported(with(aimed, "trajectory = \"approach\"", "trajectory = \"aproach\"")),
                Contains("aproach") && Contains("approach"));
     CHECK_THAT(reported(with(aimed, "look_at_m = [0.0, 0.0]", "look_at = \"hanger\"")),
                Contains("hanger") && Contains("hangar"));
     CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0", "place_m = [0.0, 0.0]")),
-               Contains("place_m") && Contains("beside a trajectory"));
+               Contains("place_m") && Contains("combined with a trajectory"));
     CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0\n", "")),
                Contains("frame_every_s or frames"));
     CHECK_THAT(
@@ -220,7 +220,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     CHECK_THAT(reported(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
                Contains("outside the span of [time]"));
     CHECK_THAT(reported(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
-               Contains("3 or more"));
+               Contains("at least 3"));
     // Below the ground, with the instant.
     CHECK_THAT(reported(with(aimed, "[0.0, 0.0, 500.0]]", "[900.0, 900.0, 50.0]]")),
                Contains("below the terrain") && Contains("at 2026"));
@@ -232,9 +232,9 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     // Columns that contradict each other, that nobody reads, or that are there twice.
     const std::string rows = "\n0,0,0,900,0\n9,0,0,900,9\n";
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,time" + rows),
-               Contains("'time' and 'time_s', expected one"));
+               Contains("'time' and 'time_s', expected only one"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,latitude_deg" + rows),
-               Contains("'east_m' and 'latitude_deg', expected one"));
+               Contains("'east_m' and 'latitude_deg', expected only one"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,headng_deg" + rows),
                Contains("unknown column 'headng_deg'") && Contains("heading_deg"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,height_m" + rows),
@@ -248,12 +248,12 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     const std::string resting =
         with(with(aimed, "[0.0, 0.0, 500.0]]", "[-2000.0, -2000.0, 900.0]]"),
              "times_s = [0.0, 40.0]", "speed_m_s = 50.0");
-    CHECK_THAT(reported(resting), Contains("waypoints_m") && Contains("another place"));
+    CHECK_THAT(reported(resting), Contains("waypoints_m") && Contains("constant speed"));
     CHECK(lines(reported(resting)) == 1);
     const std::string beside =
         with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
     const std::string way = "time_s,east_m,north_m,height_m\n0,-2000,-2000,900\n40,0,0,500\n";
-    CHECK_THAT(reported(beside, way), Contains("speed_m_s") && Contains("beside file"));
+    CHECK_THAT(reported(beside, way), Contains("speed_m_s") && Contains("combined with file"));
     CHECK(lines(reported(beside, way)) == 1);
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m\n0,0,0,900\n0,0,0,900\n"),
                Contains("way.csv:3:1") && Contains("not later"));
@@ -281,14 +281,14 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
         "height_above_ground_m = 40.0\n" +
         camera;
     CHECK_THAT(reported(still + "look_at_m = [0.0, 9e5]\n"),
-               Contains("observer[0].look_at_m: ") && Contains("lies outside"));
+               Contains("observer[0].look_at_m: ") && Contains("is outside"));
     CHECK_THAT(reported(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
-               Contains("observer[0].place_m: ") && Contains("lies outside"));
+               Contains("observer[0].place_m: ") && Contains("is outside"));
     CHECK_THAT(
         reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
         Contains("velocity_m_s: is zero"));
     CHECK_THAT(reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n"),
-               Contains("more than one way"));
+               Contains("several line-of-sight keys"));
     CHECK(lines(reported(still +
                          "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n")) == 1);
 }

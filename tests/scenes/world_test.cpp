@@ -129,7 +129,7 @@ TEST_CASE("ground that is nowhere on the raster is refused by its place", "[scen
         const std::string line = error.mistakes()[0].line();
         CAPTURE(line);
         CHECK(line.find("scene.toml:18:15: ground[0].rectangle_m") != std::string::npos);
-        CHECK(line.find("ground \"runway\" lies wholly outside the elevation data") !=
+        CHECK(line.find("ground \"runway\" is entirely outside the elevation data") !=
               std::string::npos);
         CHECK(line.find('\n') == std::string::npos);
     }

@@ -21,7 +21,7 @@ namespace confined {
 namespace fs = std::filesystem;
 
 inline const std::string secret = "XYZZY7f3a";  // in files outside
-inline const std::string beyond = "lies outside the folder of the file that leads to it";
+inline const std::string beyond = "is outside the folder of the file that names it";
 
 /// 124: it took over 30 s.
 inline Ran run_diurna(const std::string& arguments, const std::string& first = "") {

@@ -82,7 +82,7 @@ TEST_CASE("a file that rounds its own coordinates is warned of", "[terrain][mesh
     const Box away{{751092.4, 4023151.5, 300.0}, {120, 80, 90}};
     const MeshFile mesh = file_of("a.stl", binary_stl_of(away));
     REQUIRE(mesh.warnings.size() == 1);
-    CHECK_THAT(mesh.warnings[0], Catch::Contains("32 bits"));
+    CHECK_THAT(mesh.warnings[0], Catch::Contains("32-bit"));
     CHECK(file_of("a.stl", binary_stl_of({{0, 0, 0}, crate})).warnings.empty());
 }
 

@@ -137,5 +137,5 @@ TEST_CASE("a corner beside the edge of another face is joined to the edge",
     CHECK(welded.nearly_closed == 0);
     CHECK(volume(mesh) == Approx(8.0).epsilon(1e-3));
     CHECK(is_closed(mesh));
-    if (gap > 2e-4) CHECK_THAT(welded_note(welded), Catch::Contains("from an edge"));
+    if (gap > 2e-4) CHECK_THAT(welded_note(welded), Catch::Contains("with an edge"));
 }

@@ -57,7 +57,7 @@ TEST_CASE("tiles that disagree are told, strangers refused", "[terrain][dem][mos
     const auto first = grid("a", 3, 3, 8.0, 46.0, "1 2 3 4 5 6 7 8 9");
     const Dem dem = read_dem(Files{first, grid("b", 3, 3, 8.2, 46.0, "9 2 3 6 5 6 9 8 9")});
     REQUIRE(dem.notes.size() == 1);
-    CHECK(dem.notes.front().find("1 posts shared") != std::string::npos);
+    CHECK(dem.notes.front().find("1 post shared") != std::string::npos);
     CHECK(dem.notes.front().find("6.0 m") != std::string::npos);
     CHECK_THROWS_AS(read_dem(Files{first, grid("c", 3, 3, 8.25, 46.0, "1 2 3 4 5 6 7 8 9")}),
                     InputError);

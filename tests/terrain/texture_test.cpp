@@ -235,12 +235,12 @@ TEST_CASE("pictures that cannot be read are refused in a line", "[terrain][textu
         }
         return "accepted";
     };
-    CHECK(refusal("none.png").find("there is no such file") != std::string::npos);
+    CHECK(refusal("none.png").find("the file does not exist") != std::string::npos);
     write_text(folder.path / "broken.png", "PNG but not really");
     CHECK(refusal("broken.png").find("cannot be read") != std::string::npos);
     write_text(folder.path / "grid.asc",
                "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n0 1\n1 0\n");
     CHECK(refusal("grid.asc") == "accepted");
     CHECK_FALSE(read_texture_image(folder.path / "grid.asc").georeferenced);  // no CRS
-    CHECK(refusal("grid.asc", 2).find("has 1 channels, asked for number 2") != std::string::npos);
+    CHECK(refusal("grid.asc", 2).find("has 1 channel, expected at least 2") != std::string::npos);
 }

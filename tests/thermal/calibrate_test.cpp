@@ -147,11 +147,11 @@ TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool]
     };
     lay_curve(folder, 1.3, 0.0);
     using Catch::Contains;
-    CHECK_THAT(reported(both, {}), Contains("measured.csv:54:2: found 20 (that is 20 K)") &&
+    CHECK_THAT(reported(both, {}), Contains("measured.csv:54:2: found 20 (which is 20 K)") &&
                                        Contains("calibrate.unit"));
     const std::vector<std::string> celsius{"calibrate.unit=degC"};
     CHECK_THAT(reported("{ key = \"facet.aspect_deg\", low = 0.0, high = 90.0 },\n", celsius),
-               Contains("\"facet.aspect_deg\" changes nothing"));
+               Contains("\"facet.aspect_deg\" has no effect"));
     CHECK_THAT(reported("{ key = \"material.albdo\", low = 0.0, high = 0.5 },\n", celsius),
                Contains("albdo"));
     CHECK_THAT(reported("{ key = \"material.albedo\", low = 0.1, high = 1.5 },\n", celsius),
@@ -163,10 +163,10 @@ TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool]
                Contains("no exposed back"));
     CHECK_THAT(reported(both, {"calibrate.unit=degC", "calibrate.column=skn"}), Contains("skin"));
     CHECK_THAT(reported(both, {"calibrate.unit=degC", "calibrate.depth_m=5"}),
-               Contains("depth_m = 5: the column's deepest node lies at 4 m"));
+               Contains("depth_m = 5, but the column's deepest node is at 4 m"));
     CHECK_THAT(
         reported(both, {"calibrate.unit=degC", "calibrate.of=surface", "calibrate.depth_m=1"}),
-        Contains("has no meaning beside of"));
+        Contains("has no effect with of"));
     CHECK_THAT(reported(both, {"calibrate.unit=degC", "time.end=2020-06-01T00:50:00Z"}),
                Contains("2 values"));
 }

@@ -7,7 +7,7 @@
 using namespace diurna;
 
 // The standard atmosphere: 1013.25 hPa at the sea, 308 hPa at 9 km (ICAO Doc 7488).
-TEST_CASE("a pressure of another unit is refused, with the unit that it looks like",
+TEST_CASE("a pressure of another unit is refused, with the unit that it seems to be",
           "[thermal][weather_file][pressure]") {
     using diurna::testing::message_of;
     const ScratchFolder folder("pressure");
@@ -22,10 +22,10 @@ TEST_CASE("a pressure of another unit is refused, with the unit that it looks li
     CHECK(reported("31000", 8800.0).empty());
     CHECK(reported("29000", 9000.0).empty());  // within a tenth of that height's
     CHECK_THAT(reported("1013.25"), Catch::Contains("w.csv:3") && Catch::Contains("pressure_Pa") &&
-                                        Catch::Contains("looks like hPa") &&
+                                        Catch::Contains("seems to be hPa") &&
                                         Catch::Contains("pressure hPa"));
-    CHECK_THAT(reported("850", 1500.0), Catch::Contains("looks like hPa"));
-    CHECK_THAT(reported("101.325"), Catch::Contains("looks like kPa"));
+    CHECK_THAT(reported("850", 1500.0), Catch::Contains("seems to be hPa"));
+    CHECK_THAT(reported("101.325"), Catch::Contains("seems to be kPa"));
     CHECK_THAT(reported("25000"),
-               Catch::Contains("expected 30000 to 110000") && !Catch::Contains("looks like"));
+               Catch::Contains("expected 30000 to 110000") && !Catch::Contains("seems to be"));
 }

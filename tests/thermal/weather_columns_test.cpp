@@ -45,7 +45,7 @@ TEST_CASE("ERA5 CSV: joules of an hour, components of wind, a dew point",
     CHECK(has(message_of(file, header + first +
                                    "2022-07-01 12:00:00,6,8,283,295,1e5,,296,98100,9160000,1116000,"
                                    "0,50.0,10.0\n"),
-              "taken apart only where they grow"));
+              "converted only if they increase"));
 }
 
 TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[thermal][weather_file]") {
@@ -105,7 +105,7 @@ TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[therma
         read_weather(file, {.site = Site{.latitude_deg = 49.8, .longitude_deg = -10.1}});
     CHECK(near.sample[0].air.temperature == Approx(292.0));
     CHECK(near.sample[0].shortwave_down == Approx(100.0));
-    CHECK(has(near.note, "2 x 1 grid points: that at 49.75 N -10.00 E"));
+    CHECK(has(near.note, "2 x 1 grid points: the one at 49.75 N -10.00 E"));
     CHECK(near.warnings.empty());
     const Weather north =
         read_weather(file, {.site = Site{.latitude_deg = 50.1, .longitude_deg = -10.0}});
@@ -158,7 +158,7 @@ TEST_CASE("ERA5: instantaneous and accumulated variables in two files are one se
     CHECK_THROWS_WITH(
         read_weather_tables(std::vector<std::filesystem::path>{files[0], folder.path / "far.csv"},
                             {}),
-        Catch::Contains("one place"));
+        Catch::Contains("the same place"));
 }
 
 TEST_CASE("columns of other names are read in the units they are declared in",
@@ -195,7 +195,7 @@ TEST_CASE("columns of other names are read in the units they are declared in",
     CHECK(w.sample[0].air.pressure == Approx(83430.0).epsilon(2e-3));
     CHECK(has(w.note, "columns not used: station, skyc1"));
 
-    CHECK(has(message_of(file, text), "more columns are none of a weather file"));
+    CHECK(has(message_of(file, text), "more columns have no known name"));
     CHECK(has(message_of(file, text, {.columns = {declared("tmpc", "air_temperature degC")}}),
               "did you mean 'tmpf'?"));
     CHECK_THROWS_WITH(declared("x", "air_temprature degC"), Catch::Contains("air_temperature"));

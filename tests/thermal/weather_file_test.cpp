@@ -103,12 +103,12 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
     CHECK(has(
         message_of(file, epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110")),
                    {.interval = Stamp::start, .where = "s.toml:3:1: weather.interval"}),
-        "weather.interval: found 'start', but stamps of EPW files are 'end'"));
+        "weather.interval: found 'start', but the stamps of EPW files mean 'end'"));
     // A byte order mark is no content.
     const std::string one = epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110"));
     CHECK(message_of(file, "\xEF\xBB\xBF" + one) == "");
     CHECK(has(message_of(file, one, {.columns = {declared_column("x", "time UTC", "x")}}),
-              "is of a format that has its own columns"));
+              "has a format with its own columns"));
     CHECK(has(message_of(file, "time,air_temperature_K\n"), "is named .epw"));
     // Celsius taken for kelvin.
     CHECK(has(
@@ -211,8 +211,8 @@ TEST_CASE("SURFRAD: minutes end at their stamp, flags tell bad from good",
     CHECK(w.sample[1].air.pressure == Approx(98520.0));
     CHECK(w.sample[1].wind_speed == 3.2);
     CAPTURE(w.note);
-    CHECK(has(w.note, "1 values flagged bad"));
-    CHECK(has(w.note, "1 values flagged questionable"));
+    CHECK(has(w.note, "1 value flagged bad"));
+    CHECK(has(w.note, "1 value flagged questionable"));
     CHECK(has(message_of(file, header + " 2019 196  7 15 18  0 18.000\n"), "abc19196.dat:3"));
     CHECK(has(message_of(file, "1 2 3\n4 5 6\n"), "is named .dat"));
 }
@@ -276,6 +276,6 @@ TEST_CASE("a SURFRAD day as NOAA wrote it is read as such", "[thermal][weather_f
     CHECK(w.sample.front().wind_speed == 3.1);
     CHECK(w.sample.front().air.pressure == Approx(77350.0));
     CAPTURE(w.note);
-    CHECK(has(w.note, "ends 1 min before the span"));
+    CHECK(has(w.note, "ends 1 min before the end of the span"));
     CHECK_FALSE(has(w.note, "away"));  // its 105.92 are degrees west
 }

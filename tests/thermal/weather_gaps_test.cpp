@@ -48,7 +48,7 @@ TEST_CASE("a span outside the file is refused with both spans in one line",
     const std::string line = refusal(-4000.0, -3976.0, Stamp::end);
     CAPTURE(line);
     CHECK(has(line,
-              "holds weather from 2020-05-31T23:00:00Z to 2020-06-01T23:00:00Z; asked for "
+              "has weather from 2020-05-31T23:00:00Z to 2020-06-01T23:00:00Z, expected "
               "2019-12-17T08:00:00Z to 2019-12-18T08:00:00Z"));
     CHECK(line.find('\n') >= line.size() - 1);
     // 24 rows are a day, whatever their stamps mean: an hour at most is held at either end.
@@ -64,7 +64,7 @@ TEST_CASE("a span outside the file is refused with both spans in one line",
     CHECK(refusal(0.0, 24.1, Stamp::end) != "");
     const Weather held =
         read_weather(file, {.interval = Stamp::instant, .asked = {at_hour(0), at_hour(24)}});
-    CHECK(has(held.note, "the file ends 60 min before the span; its last row is held"));
+    CHECK(has(held.note, "the file ends 60 min before the end of the span; its last row is used"));
     CHECK(held.at(at_hour(24)).air.temperature == 303.0);
     const Weather whole =
         read_weather(file, {.interval = Stamp::start, .asked = {at_hour(0), at_hour(24)}});
@@ -83,7 +83,7 @@ TEST_CASE("missing rows: three hours are filled, more are refused, filled or lef
     CAPTURE(small.note);
     CHECK(has(small.note,
               "8 values filled in gaps: 2 air_temperature_K, 2 wind_speed_m_s, 2 "
-              "shortwave_down_W_m2, 2 longwave_down_W_m2 on the line"));
+              "shortwave_down_W_m2, 2 longwave_down_W_m2 by linear interpolation"));
     // Three rows: 4 h.
     write_text(file, hours(0, 24, 10, 12));
     const auto with = [&](OnGap on_gap, AskedSpan span) {
@@ -93,7 +93,7 @@ TEST_CASE("missing rows: three hours are filled, more are refused, filled or lef
     CAPTURE(line);
     CHECK(has(line, "w.csv:12"));
     CHECK(has(line,
-              "no weather between 2020-06-01T09:00:00Z and 2020-06-01T13:00:00Z (4.0 h; up to "
+              "no weather between 2020-06-01T09:00:00Z and 2020-06-01T13:00:00Z (4.0 h; gaps up to "
               "3 h are filled)"));
     CHECK(has(line, "on_gap"));
     // A gap that nobody asks for is nobody's.
@@ -114,9 +114,9 @@ TEST_CASE("missing rows: three hours are filled, more are refused, filled or lef
     CHECK(clear.at(at_hour(14)).shortwave_down == Approx(140.0));
     CAPTURE(clear.note);
     CHECK(has(clear.note,
-              "12 values filled in gaps: 3 air_temperature_K, 3 wind_speed_m_s on the "
-              "line between neighbours, 3 shortwave_down_W_m2, 3 "
-              "longwave_down_W_m2 by clear sky's formulas"));
+              "12 values filled in gaps: 3 air_temperature_K, 3 wind_speed_m_s by linear "
+              "interpolation, 3 shortwave_down_W_m2, 3 "
+              "longwave_down_W_m2 by clear-sky formulas"));
     // What the formulas then give is the clear sky's of that air, though clouds went before.
     const Site site{.latitude_deg = 40.0, .longitude_deg = 0.0};
     const SkySeries series(clear, site, 0.0, {}, at_hour(0), at_hour(24));

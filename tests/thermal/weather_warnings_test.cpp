@@ -115,7 +115,7 @@ TEST_CASE("measured days moved by hours are found out to a quarter of an hour",
         CHECK(std::abs(lag->seconds - 3600.0 * hours) <= days.known_to);
         const auto warnings =
             weather_warnings(moved, days.site, days.begin, days.end, "weather.csv");
-        CHECK(reported(warnings, "times look"));
+        CHECK(reported(warnings, "times seem to be"));
         CHECK(reported(warnings, hours > 0.0 ? " early" : " late"));
     }
 }
@@ -147,7 +147,7 @@ TEST_CASE("units that are not a column's are refused with the one they look like
     using diurna::testing::has;
     CHECK(has(diurna::testing::message_of(folder.path / "w.csv",
                                           "time,air_temperature_K\n2024-06-01T00:00:00Z,21.5\n"),
-              "[weather.columns] takes a column as \"air_temperature degC\""));
+              "declare it in [weather.columns] as \"air_temperature degC\""));
     CHECK(has(says("relative_humidity", 65.0), "\"relative_humidity %\""));
     CHECK(has(says("cloud_fraction", 7.0), "\"cloud_fraction okta\""));
     CHECK(has(says("shortwave_down_W_m2", 1800000.0), "\"shortwave_down J/m2\""));

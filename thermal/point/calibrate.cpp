@@ -7,6 +7,7 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "thermal/point/point_job_file.hpp"
 #include "thermal/point/run_column.hpp"
 
@@ -37,7 +38,7 @@ std::size_t value_column(const CsvTable& table, const std::string& asked) {
     if (!asked.empty()) return table.column(asked);
     if (table.header.size() != 2) {
         throw InputError(table.path.string(), fmt::format("has {} columns", table.header.size()),
-                         "calibrate.column names the one that was measured");
+                         "calibrate.column selects the measured one");
     }
     return 1 - table.column("time");
 }
@@ -57,25 +58,25 @@ void read_curve(const PointJob& job, CalibrationReport& report) {
         if (kelvin < coldest_measured || kelvin > hottest_measured) {
             throw InputError(
                 table.where(r, column),
-                fmt::format("found {} (that is {:.4g} K), expected a temperature", cell, kelvin),
-                "calibrate.unit says in what it was measured: K, degC, degF");
+                fmt::format("found {} (which is {:.4g} K), expected a temperature", cell, kelvin),
+                "calibrate.unit is the unit of the measurement: K, degC, degF");
         }
         if (when < job.start || when > job.end) {
             ++report.beyond;
             continue;
         }
         if (!report.when.empty() && when <= report.when.back()) {
-            throw InputError(table.where(r, time), "does not come after the row before it");
+            throw InputError(table.where(r, time), "is not later than the previous row");
         }
         report.when.push_back(when);
         report.measured.push_back(kelvin);
     }
     if (report.measured.size() <= report.asked.sought.size()) {
         throw InputError(report.asked.file.string(),
-                         fmt::format("has {} values from {} to {} for {} numbers",
+                         fmt::format("has {} values from {} to {}, too few for {} parameters",
                                      report.measured.size(), format_instant(job.start),
                                      format_instant(job.end), report.asked.sought.size()),
-                         "time.start and end are to hold what was measured");
+                         "time.start and end must include the measurement");
     }
 }
 
@@ -97,15 +98,16 @@ std::vector<double> column_at_instants(const PointJob& job, const PointResult& r
 void check_of(const PointResult& result, const Calibration& asked) {
     if (asked.depth > result.depth.back()) {
         throw InputError(asked.where,
-                         fmt::format("depth_m = {:g}: the column's deepest node lies at {:.4g} m",
+                         fmt::format("depth_m = {:g}, but the column's deepest node is at {:.4g} m",
                                      asked.depth, result.depth.back()));
     }
     const bool there = asked.of == MeasuredOf::surface ||
                        (asked.of == MeasuredOf::back ? result.has_back : result.has_canopy);
     if (there) return;
-    throw InputError(asked.where, asked.of == MeasuredOf::back
-                                      ? "of = \"back\": the material has no exposed back"
-                                      : "of = \"ground\" or \"leaf\": the material has no canopy");
+    throw InputError(asked.where,
+                     asked.of == MeasuredOf::back
+                         ? "of = \"back\", but the material has no exposed back"
+                         : "of = \"ground\" or \"leaf\", but the material has no canopy");
 }
 
 void tell(CalibrationReport& report) {
@@ -113,37 +115,36 @@ void tell(CalibrationReport& report) {
     const auto& sought = report.asked.sought;
     if (report.beyond > 0) {
         report.notes.push_back(
-            fmt::format("{} measured values lie beyond the span and are left out", report.beyond));
+            fmt::format("{} outside the span skipped", number_of(report.beyond, "measured value")));
     }
     if (report.missing > 0) {
-        report.notes.push_back(fmt::format("{} measured values are missing", report.missing));
+        report.notes.push_back(
+            fmt::format("{} missing", number_of(report.missing, "measured value is", "measured values are")));
     }
     if (fit.independent < 0.9 * double(report.measured.size())) {
-        report.notes.push_back(fmt::format(
-            "each residual is like those near it (the next by {:.2f}): {} values count as {:.0f}, "
-            "intervals are {:.1f} times as wide as of independent ones",
-            fit.alike, report.measured.size(), fit.independent,
-            std::sqrt(double(report.measured.size()) / fit.independent)));
+        report.notes.push_back(
+            fmt::format("residuals are autocorrelated ({:.2f} between neighbours): {} values count "
+                        "as {:.0f}, and intervals are {:.1f} times as wide as for independent ones",
+                        fit.alike, report.measured.size(), fit.independent,
+                        std::sqrt(double(report.measured.size()) / fit.independent)));
     }
     for (std::size_t i = 0; i < sought.size(); ++i) {
         if (fit.number[i].at_bound) {
             report.notes.push_back(fmt::format(
-                "{} is held at its bound {:g}: what was measured asks for {}, or another number is "
-                "wrong",
+                "{} is at its bound {:g}: the measurement requires {}, or another value is wrong",
                 sought[i].key, fit.number[i].value,
                 fit.number[i].value > sought[i].low ? "more" : "less"));
         } else if (fit.number[i].least < sought[i].low || fit.number[i].most > sought[i].high) {
             report.notes.push_back(
-                fmt::format("the interval of {} goes beyond {:g} to {:g}: what was measured says "
-                            "little of it",
+                fmt::format("the interval of {} extends beyond {:g} to {:g}: the measurement "
+                            "determines it poorly",
                             sought[i].key, sought[i].low, sought[i].high));
         }
         for (std::size_t j = 0; j < i; ++j) {
             const double r = fit.correlation[i][j];
             if (std::abs(r) < close) continue;
             report.notes.push_back(fmt::format(
-                "{} and {} can hardly be told apart (correlation {:+.3f}): only one of them should "
-                "be sought",
+                "{} and {} cannot be separated (correlation {:+.3f}): fit only one of them",
                 sought[j].key, sought[i].key, r));
         }
     }
@@ -209,7 +210,7 @@ CalibrationReport calibrate(const std::string& file, const ColumnWith& column_wi
     for (std::size_t i = 0; i < sought.size(); ++i) {
         if (!report.fit.number[i].idle) continue;
         throw InputError(sought[i].where,
-                         fmt::format("\"{}\" changes nothing of the curve", sought[i].key));
+                         fmt::format("\"{}\" has no effect on the curve", sought[i].key));
     }
     tell(report);
     return report;

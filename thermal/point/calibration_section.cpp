@@ -21,14 +21,15 @@ std::vector<SoughtNumber> read_sought(const Section& section) {
     std::vector<SoughtNumber> sought;
     std::set<std::string> keys;
     const std::vector<Section> given =
-        section.sections("sought", "a number of this file that is to be found");
+        section.sections("sought", "a value of this file to be fitted");
     for (const Section& one : given) {
         SoughtNumber number;
-        number.key = one.text("key", "its path: \"material.layers.0.conductivity_W_mK\"");
-        number.low = one.number("low", "the least that it may be");
-        number.high = one.number("high", "the most that it may be");
-        number.start = one.number_or("start", "where the search begins",
-                                     {0.5 * (number.low + number.high), "half way"});
+        number.key = one.text("key", "path of the key: \"material.layers.0.conductivity_W_mK\"");
+        number.low = one.number("low", "lowest value");
+        number.high = one.number("high", "highest value");
+        number.start =
+            one.number_or("start", "initial value of the fit",
+                          {0.5 * (number.low + number.high), "the mean of low and high"});
         number.where = one.where();
         if (!one.has_mistakes()) {
             if (!(number.low < number.high)) {
@@ -40,10 +41,10 @@ std::vector<SoughtNumber> read_sought(const Section& section) {
             }
             for (const char* own : {"calibrate.", "time.", "weather.file"}) {
                 if (!number.key.starts_with(own)) continue;
-                one.mistake("key", "expected a number that the heat balance depends on");
+                one.mistake("key", "expected a value that affects the heat balance");
             }
             if (!keys.insert(number.key).second) {
-                one.mistake("key", fmt::format("\"{}\" twice", number.key));
+                one.mistake("key", fmt::format("\"{}\" is used twice", number.key));
             }
         }
         sought.push_back(std::move(number));
@@ -59,30 +60,32 @@ std::vector<SoughtNumber> read_sought(const Section& section) {
 }  // namespace
 
 std::optional<Calibration> read_calibration(const Section& root) {
-    const Section section = root.section(
-        "calibrate", "what was measured, and which numbers are to be found: diurna calibrate");
+    const Section section =
+        root.section("calibrate", "measurement, and the values to be fitted: diurna calibrate");
     if (!root.has("calibrate")) return std::nullopt;
     Calibration asked;
-    asked.file = section.file(
-        "measured", "CSV of time (instants with their offset) and a temperature; empty: missing");
-    asked.column = section.text_or("column", "the temperature's name in its header",
-                                   {std::string(), "the only one beside time"});
-    const KeyUnit unit = section.choice_or("unit", "of that column", KeyUnit{1.0, 0.0},
+    asked.file = section.file("measured",
+                              "CSV file of time (instants with UTC offset) and a temperature; "
+                              "empty cells are missing values");
+    asked.column = section.text_or("column", "column of the temperature",
+                                   {std::string(), "the only one besides time"});
+    const KeyUnit unit = section.choice_or("unit", "unit of that column", KeyUnit{1.0, 0.0},
                                            {{"K", {1.0, 0.0}},
                                             {"degC", {1.0, zero_celsius}},
                                             {"degF", {5.0 / 9.0, zero_celsius - 160.0 / 9.0}}});
     asked.factor = unit.factor;
     asked.zero = unit.zero;
-    asked.of = section.choice_or("of", "of the facet, or with a canopy of the ground or its leaves",
-                                 MeasuredOf::surface,
-                                 {{"surface", MeasuredOf::surface},
-                                  {"back", MeasuredOf::back},
-                                  {"ground", MeasuredOf::ground},
-                                  {"leaf", MeasuredOf::leaf}});
-    asked.depth = section.number_or("depth_m", "of a thermometer in the layers below the surface",
+    asked.of = section.choice_or(
+        "of", "temperature of the facet, or with a canopy of the ground or its leaves",
+        MeasuredOf::surface,
+        {{"surface", MeasuredOf::surface},
+         {"back", MeasuredOf::back},
+         {"ground", MeasuredOf::ground},
+         {"leaf", MeasuredOf::leaf}});
+    asked.depth = section.number_or("depth_m", "depth of a thermometer below the surface",
                                     {0.0, "of"}, {0.0, 100.0});
     if (asked.depth > 0.0 && section.has("of")) {
-        section.mistake("depth_m", "has no meaning beside of");
+        section.mistake("depth_m", "has no effect with of");
     }
     asked.sought = read_sought(section);
     asked.where = section.where();

@@ -24,29 +24,30 @@ namespace diurna {
 namespace {
 
 void read_site(const Section& site, PointJob& job) {
-    job.site.latitude_deg = site.number("latitude_deg", "north, WGS84", {-90.0, 90.0});
-    job.site.longitude_deg = site.number("longitude_deg", "east, WGS84", {-180.0, 180.0});
+    job.site.latitude_deg = site.number("latitude_deg", "latitude north, WGS84", {-90.0, 90.0});
+    job.site.longitude_deg = site.number("longitude_deg", "longitude east, WGS84", {-180.0, 180.0});
     job.elevation = job.site.height =
-        site.number_or("elevation_m", "above the sea", 0.0, {-500.0, 9000.0});
+        site.number_or("elevation_m", "height above the sea", 0.0, {-500.0, 9000.0});
 }
 
 void read_facet(const Section& facet, PointJob& job) {
-    job.slope_deg = facet.number_or("slope_deg", "from the horizontal", 0.0, {0.0, 180.0});
-    job.aspect_deg = facet.number_or("aspect_deg", "the way it faces, clockwise from north", 180.0,
-                                     {-360.0, 360.0});
+    job.slope_deg = facet.number_or("slope_deg", "slope from the horizontal", 0.0, {0.0, 180.0});
+    job.aspect_deg = facet.number_or("aspect_deg", "azimuth of the slope, clockwise from north",
+                                     180.0, {-360.0, 360.0});
     job.sky_view = facet.number_or(
-        "sky_view", "share of the sky that it sees; the rest is ground like itself",
+        "sky_view", "sky view factor; the rest is ground of the same temperature",
         {0.5 * (1.0 + std::cos(radians(job.slope_deg))), "(1 + cos slope) / 2"}, {0.0, 1.0});
     job.height = facet.number_or("height_above_ground_m",
-                                 "of a wall, plate, cylinder or box: the wind there, by the "
+                                 "for a wall, plate, cylinder or box: height of its wind, by the "
                                  "logarithmic profile of open ground",
-                                 {0.0, "as high as wind is measured"}, {0.1, 1000.0});
+                                 {0.0, "the height of the wind measurement"}, {0.1, 1000.0});
 }
 
 /// What the facet's motion or place makes of the wind; after its material is known.
 void read_wind(const Section& facet, PointJob& job) {
     const double airspeed = facet.number_or(
-        "airspeed_m_s", "of a surface in flight: its wind, and the air's recovery temperature", 0.0,
+        "airspeed_m_s",
+        "airspeed of a surface in flight, which gives its wind and the recovery temperature", 0.0,
         {0.0, 3000.0});
     if (airspeed > 0.0) {
         const auto* body = std::get_if<BodyFilm>(&job.surface.convection);
@@ -54,11 +55,11 @@ void read_wind(const Section& facet, PointJob& job) {
     }
     if (job.height > 0.0 && std::holds_alternative<Louis>(job.surface.convection)) {
         facet.mistake("height_above_ground_m",
-                      "is for walls, plates, cylinders and boxes; ground of kind louis has the "
-                      "wind's own profile");
+                      "applies to walls, plates, cylinders and boxes; ground of kind louis has its "
+                      "own wind profile");
     }
     if (job.height > 0.0 && airspeed > 0.0) {
-        facet.mistake("height_above_ground_m", "has no meaning beside airspeed_m_s");
+        facet.mistake("height_above_ground_m", "has no effect with airspeed_m_s");
     }
 }
 
@@ -68,7 +69,7 @@ std::vector<SoilPoint> read_profile(const Section& time) {
     if (!time.has("initial_profile")) return profile;
     const auto rows =
         time.rows("initial_profile",
-                  "[[depth_m, K], ...] in place of initial_temperature_K: straight between", 2);
+                  "[[depth_m, K], ...] instead of initial_temperature_K, interpolated linearly", 2);
     for (const std::vector<double>& point : rows) {
         if (point[0] < 0.0 || point[1] < 1.0 || point[1] > 3000.0 ||
             (!profile.empty() && point[0] <= profile.back().depth)) {
@@ -94,8 +95,8 @@ void forget_albedo(const std::string& measured_over, const std::string& material
         f.shortwave_up = not_measured;
     }
     if (!measured) return;
-    add_note(fmt::format("shortwave_up was measured over {}: albedo of {} its own", measured_over,
-                         material),
+    add_note(fmt::format("shortwave_up was measured over {}: the albedo of {} is used",
+                         measured_over, material),
              weather);
 }
 
@@ -105,32 +106,32 @@ bool rains(const Weather& weather) {
 }
 
 void read_time(const Section& time, PointJob& job) {
-    const std::string start = time.moment("start", "with its offset from UTC");
-    const std::string end = time.moment("end", "with its offset from UTC");
+    const std::string start = time.moment("start", "start of the span, with its UTC offset");
+    const std::string end = time.moment("end", "end of the span, with its UTC offset");
     job.spin_up = time.choice_or(
         "spin_up",
-        "what went before: the first day, without its trend, again and again; the span itself, "
-        "which repeats; nothing",
+        "initial state: the first day without its trend, repeated; the span itself, repeated; none",
         SpinUp::first_day,
         {{"none", SpinUp::none}, {"first-day", SpinUp::first_day}, {"periodic", SpinUp::periodic}});
-    job.step = time.number_or("step_s", "between rows of the result", 1800.0, {0.1, 86400.0});
+    job.step =
+        time.number_or("step_s", "interval between rows of the result", 1800.0, {0.1, 86400.0});
     job.longest_step =
-        time.number_or("longest_step_s", "of the integration", 600.0, {0.1, 86400.0});
+        time.number_or("longest_step_s", "longest step of the integration", 600.0, {0.1, 86400.0});
     job.initial_temperature = time.number_or(
-        "initial_temperature_K", "of all depths at the start, or a first guess of it",
-        {job.initial_temperature, "the bottom's or the air's"}, {1.0, 3000.0});
-    job.tolerance = time.number_or("tolerance_K", "error of a step, by step doubling",
+        "initial_temperature_K", "initial temperature at all depths, or a first guess of it",
+        {job.initial_temperature, "the temperature of the bottom or the air"}, {1.0, 3000.0});
+    job.tolerance = time.number_or("tolerance_K", "error per step, from step doubling",
                                    job.tolerance, {1e-7, 1.0});
     job.initial_profile = read_profile(time);
     job.start = parse_instant(start, time.where("start"));
     job.utc_offset = utc_offset_of(start);
     job.end = parse_instant(end, time.where("end"));
     if (job.end <= job.start) {
-        time.mistake("end", "does not come after start");
+        time.mistake("end", "is not later than start");
     } else if (seconds_between(job.start, job.end) < job.step) {
         time.mistake("step_s", "is longer than the whole span");
     } else if (seconds_between(job.start, job.end) / job.step > 1e7) {
-        time.mistake("step_s", "asks for more than ten million rows");
+        time.mistake("step_s", "makes more than ten million rows");
     }
 }
 
@@ -139,17 +140,18 @@ void read_time(const Section& time, PointJob& job) {
 PointJob read_column_job(const Document& document) {
     const Section root = document.root();
     PointJob job;
-    read_site(root.required_section("site", "where the facet lies"), job);
+    read_site(root.required_section("site", "place of the facet"), job);
     const Section facet =
-        root.section("facet", "how it lies; horizontal under the whole sky by default");
+        root.section("facet", "orientation of the facet; default: horizontal under an open sky");
     read_facet(facet, job);
-    const Section material =
-        root.required_section("material", "of the facet, with the keys of the third chapter");
+    const Section material = root.required_section(
+        "material", "material of the facet, with the keys of the section Materials");
     const Material read = read_material(material, default_material_library(), "column");
     job.surface = read.thermal;
     read_wind(facet, job);
     job.clear_sky = read_sky(root.section("sky", sky_says));
-    const Section weather = root.required_section("weather", "what drives the heat balance");
+    const Section weather =
+        root.required_section("weather", "weather that drives the heat balance");
     const std::vector<std::filesystem::path> weather_files =
         weather.files("file", weather_file_says);
     WeatherOptions options = read_weather_options(weather, 0.1);
@@ -158,7 +160,7 @@ PointJob read_column_job(const Document& document) {
     std::vector<std::string> materials = default_material_library().names();
     materials.push_back(read.name);
     const std::string measured_over = read_measured_over(weather, materials);
-    read_time(root.required_section("time", "the span, its start and its steps"), job);
+    read_time(root.required_section("time", "span, start and steps"), job);
     job.calibrate = read_calibration(root);
     if (job.calibrate) job.depth = job.calibrate->depth;
     document.finish();
@@ -172,7 +174,7 @@ PointJob read_column_job(const Document& document) {
     const std::string clock = schedule_clock_note(job.site, job.utc_offset);
     if (!schedule.empty() && !clock.empty()) add_note(schedule + ": " + clock, job.weather);
     if (job.surface.flight && rains(job.weather)) {
-        add_note("in flight: it gathers no rain or snow", job.weather);
+        add_note("in flight, without rain and snow", job.weather);
     }
     return job;
 }

@@ -86,9 +86,9 @@ void PointFacet::try_step(Instant from, double at, double step, bool gentle, con
 
 void PointFacet::give_up(Instant when, double step, double error) const {
     throw std::runtime_error(fmt::format(
-        "no end is in sight at {}: {} steps were tried by then, the last of {:.1g} s {}",
+        "the heat balance makes no progress at {}: {} steps tried, the last of {:.1g} s {}",
         format_instant(when), tried_, step,
-        error < unsolved ? fmt::format("and {:.1g} K off", error) : "without a solution"));
+        error < unsolved ? fmt::format("with an error of {:.1g} K", error) : "without a solution"));
 }
 
 double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,

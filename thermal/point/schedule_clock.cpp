@@ -38,8 +38,9 @@ std::string schedule_clock_note(const Site& site, double utc_offset) {
     const int clock = int(std::lround(std::abs(utc_offset) / 60.0));
     const int apart = int(std::lround(std::abs(ahead) / 60.0));
     return fmt::format(
-        "hours are on the clock of time.start, UTC{}{:02}:{:02}, as those at which objects run; "
-        "earlier versions took local mean solar time, which is {} h {:02} min {} that clock here",
+        "hours are on the clock of time.start, UTC{}{:02}:{:02}, like the operating hours of "
+        "objects; earlier versions used local mean solar time, which is {} h {:02} min {} that "
+        "clock at this site",
         utc_offset < 0.0 ? '-' : '+', clock / 60, clock % 60, apart / 60, apart % 60,
         ahead > 0.0 ? "ahead of" : "behind");
 }

@@ -77,7 +77,7 @@ class Reader {
 
     InputError refused(const std::string& why) const { return InputError(path_.string(), why); }
     void must(int status, const std::string& what) const {
-        if (status != NC_NOERR) throw refused("is no state of a run: has no " + what);
+        if (status != NC_NOERR) throw refused("is not a state file of a run: it has no " + what);
     }
     std::string text(const char* name) const {
         std::size_t length = 0;
@@ -91,7 +91,7 @@ class Reader {
         std::vector<double> values(length);
         if (length > 0) must(nc_get_var_double(file_.id(), id, values.data()), name);
         if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
-            throw refused(std::string("holds numbers that are not finite in ") + name);
+            throw refused(std::string("has numbers that are not finite in ") + name);
         }
         return values;
     }
@@ -108,12 +108,12 @@ class Reader {
         std::vector<std::vector<double>> lists;
         std::size_t at = 0;
         for (const std::int64_t n : length) {
-            if (n < 0 || std::size_t(n) > value.size() - at) throw refused("is broken off");
+            if (n < 0 || std::size_t(n) > value.size() - at) throw refused("is truncated");
             const auto from = value.begin() + std::ptrdiff_t(at);
             lists.emplace_back(from, from + std::ptrdiff_t(n));
             at += std::size_t(n);
         }
-        if (at != value.size()) throw refused("is broken off");
+        if (at != value.size()) throw refused("is truncated");
         return lists;
     }
 
@@ -127,12 +127,12 @@ class Reader {
         int rank = 0, dim = 0;
         must(nc_inq_varid(file_.id(), name, &found.id), name);
         must(nc_inq_varndims(file_.id(), found.id, &rank), name);
-        if (rank != 1) throw refused(std::string("is no state of a run: odd ") + name);
+        if (rank != 1) throw refused(std::string("is not a state file of a run: invalid ") + name);
         must(nc_inq_vardimid(file_.id(), found.id, &dim), name);
         must(nc_inq_dimlen(file_.id(), dim, &found.length), name);
         // A short header may claim any size; these are not compressed.
         if (double(found.length) * 4.0 > double(fs::file_size(path_)))
-            throw refused("is broken off");
+            throw refused("is truncated");
         return found;
     }
     const NetcdfFile& file_;
@@ -142,14 +142,13 @@ class Reader {
 /// Throws where a state belongs to somebody else.
 void check_owner(const Reader& read, const StateOwner& owner) {
     if (read.text("mesh") != owner.mesh) {
-        throw read.refused(
-            "is the state of another mesh: other facets, or other materials on them");
+        throw read.refused("belongs to another mesh: other facets, or other materials of facets");
     }
     const std::vector<std::string> columns = lines_of(read.text("columns"));
     for (std::size_t i = 0; i < owner.columns.size(); ++i) {
         const std::string& ours = owner.columns[i];
         if (i < columns.size() && columns[i] == ours) continue;
-        throw read.refused(fmt::format("is the state of other materials: '{}' there is '{}' here",
+        throw read.refused(fmt::format("belongs to other materials: '{}' there is '{}' here",
                                        i < columns.size() ? columns[i] : "", ours));
     }
 }
@@ -197,22 +196,23 @@ TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
     note_file_read(path);
     check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
+        throw InputError(path.string(),
+                         fmt::format("is not a netCDF file ({})", nc_strerror(status)));
     }
     const NetcdfFile file(path, id);
     const Reader read(file, path);
-    if (read.text("title") != kind) throw read.refused("is no state of a run");
+    if (read.text("title") != kind) throw read.refused("is not a state file of a run");
     check_owner(read, owner);
     TimedState timed{.instant = parse_instant(read.text("instant"), path.string())};
     HeatState& state = timed.state;
     const std::vector<double> reference = read.doubles("reference_K");
-    if (reference.size() != 1) throw read.refused("is broken off");
+    if (reference.size() != 1) throw read.refused("is truncated");
     state.reference = reference[0];
     const std::vector<double> kelvin = read.doubles("surface_temperature");
     state.kelvin.assign(kelvin.begin(), kelvin.end());
     const auto cannot_be = [](double k) { return !(k >= 1.0 && k <= 5000.0); };
     if (cannot_be(state.reference) || std::any_of(kelvin.begin(), kelvin.end(), cannot_be)) {
-        throw read.refused("holds temperatures that are not from 1 to 5000 K");
+        throw read.refused("has temperatures outside 1 to 5000 K");
     }
     state.block = read.lists("block_length", "block_state");
     const std::vector<std::int64_t> facet = read.integers("point_facet");
@@ -221,11 +221,11 @@ TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
                               frost = read.doubles("point_frost_mm"),
                               albedo = read.doubles("point_snow_albedo");
     for (const std::size_t n : {u.size(), water.size(), frost.size(), albedo.size()}) {
-        if (n != facet.size()) throw read.refused("is broken off");
+        if (n != facet.size()) throw read.refused("is truncated");
     }
     for (std::size_t i = 0; i < facet.size(); ++i) {
         if (facet[i] < 0 || std::size_t(facet[i]) >= state.kelvin.size()) {
-            throw read.refused("is broken off");
+            throw read.refused("is truncated");
         }
         state.point.push_back({std::size_t(facet[i]), u[i], {water[i], frost[i]}, albedo[i]});
     }

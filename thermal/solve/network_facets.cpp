@@ -60,7 +60,7 @@ void NetworkFacets::set_out_from(const std::vector<std::vector<double>>& left) {
         std::size_t values = network.lump.size();
         for (std::size_t f = 0; f < network.facet.size(); ++f) values += network.grid_of(f).size();
         if (left[t].size() != values) {
-            throw InputError("thermal solve", "the state to go on from belongs to other targets");
+            throw InputError("thermal solve", "the initial state belongs to other targets");
         }
         target_[t].start = left[t];
     }

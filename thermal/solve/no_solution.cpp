@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-const std::string failed = "the heat balance has failed: ";
+const std::string failed = "the heat balance failed: ";
 
 std::string reported(const SolveState& solve, std::size_t facet, Instant when,
                      const std::string& what) {
@@ -26,9 +26,9 @@ std::string first_bad(const SolveState& solve, const Good& good) {
     if (bad == solve.kelvin.end()) return "";
     const auto at = static_cast<std::size_t>(bad - solve.kelvin.begin());
     const std::string found =
-        std::isfinite(*bad) ? fmt::format("it stands at {:g} K", *bad) : "it has no temperature";
+        std::isfinite(*bad) ? fmt::format("the last value is {:g} K", *bad) : "there is no value";
     return reported(solve, at % solve.facets, solve.instant[at / solve.facets],
-                    "its balance has no solution from 1 to 5000 K, " + found);
+                    "the balance has no solution from 1 to 5000 K; " + found);
 }
 
 bool is_within(float kelvin) {
@@ -59,7 +59,7 @@ std::string without_solution(const SolveState& solve, const PointFacets::Summary
     if (points.unsolved == 0) return "";
     return reported(
         solve, points.first_unsolved_facet, points.first_unsolved,
-        fmt::format("no step solves its balance, however short ({} such in all)", points.unsolved));
+        fmt::format("no step length gives a solution ({} such cases in total)", points.unsolved));
 }
 
 }  // namespace diurna

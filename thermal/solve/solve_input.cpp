@@ -31,30 +31,33 @@ void check(const SolveInput& input, const SolveOptions& options) {
     const std::size_t n = input.facets.size();
     if (n == 0) throw InputError("thermal solve", "the scene has no facets");
     if (!(options.step > 0.0) || !(options.duration > 0.0)) {
-        throw InputError("thermal solve", "step and duration must be more than zero");
+        throw InputError("thermal solve", "step and duration must be greater than zero");
     }
     if (input.views.sky.size() != n || input.views.below.size() != n ||
         input.views.others.row.size() != n + 1) {
         throw InputError("thermal solve", "the sky view belongs to another set of facets");
     }
     if (!input.height.empty() && input.height.size() != n) {
-        throw InputError("thermal solve", "heights belong to another set of facets");
+        throw InputError("thermal solve", "the heights belong to another set of facets");
     }
     if (!input.part.empty() && input.part.size() != n) {
-        throw InputError("thermal solve", "parts in the wind belong to another set of facets");
+        throw InputError("thermal solve", "the parts in the wind belong to another set of facets");
     }
     if (!input.open_above.empty() && input.open_above.size() != n) {
-        throw InputError("thermal solve", "what lies above belongs to another set of facets");
+        throw InputError("thermal solve",
+                         "the covers above facets belong to another set of facets");
     }
     if (!input.measured_share.empty() && input.measured_share.size() != input.materials.size()) {
-        throw InputError("thermal solve", "shares of measured albedo belong to other materials");
+        throw InputError("thermal solve",
+                         "the shares of measured albedo belong to other materials");
     }
     const std::size_t instants = step_instants(options).size();
     for (std::size_t i = 0; i < input.sun.edge.size(); ++i) {
         const ShadowEdge& edge = input.sun.edge[i];
         if (edge.facet >= n || edge.step + 1 >= instants || !(edge.share >= 0.0f) ||
             edge.share > 1.0f || (i > 0 && edge.step < input.sun.edge[i - 1].step)) {
-            throw InputError("thermal solve", "shadow edges must lie in the span, in its order");
+            throw InputError("thermal solve",
+                             "shadow edges must be in the span, in ascending order");
         }
     }
     if (!input.sun.fraction.empty() && input.sun.fraction.size() != n * instants) {

@@ -270,8 +270,8 @@ void from_the_weather_before(int days, Walk& walk) {
     repeat_day(first, walk);
     go_on(first, options.start, false, walk);
     go_on(options.start, options.end, true, walk);
-    walk.result.start = fmt::format("from the weather of {} day{} before, the first also repeated",
-                                    days, days == 1 ? "" : "s");
+    walk.result.start = fmt::format("weather of {} day{} before, the first one repeated", days,
+                                    days == 1 ? "" : "s");
 }
 
 void from_a_repeated_day(Walk& walk) {
@@ -282,14 +282,15 @@ void from_a_repeated_day(Walk& walk) {
         first = later(start, -day);
     } else if (repeats(weather, first) && walk.next_change(first, end) == end) {
         go_round(first, walk);
-        walk.result.start = "its day repeats";
+        walk.result.start = "the day is repeated";
         return;
     }
     repeat_day(first, walk);
     go_on(first < start ? first : start, start, false, walk);
     go_on(start, end, true, walk);
-    walk.result.start = fmt::format("from the day {} repeated without its trend",
-                                    first < start ? "around it or before" : "that it begins");
+    walk.result.start =
+        fmt::format("the day {} repeated without its trend",
+                    first < start ? "around or before the start" : "that begins at the start");
 }
 
 }  // namespace
@@ -309,16 +310,16 @@ SpanResult solve_span(std::span<const SpanStage> stages, const SpanOptions& opti
     if (options.begin == SpanStart::state && options.from) {
         walk.state = *options.from;
         go_on(options.start, options.end, true, walk);
-        walk.result.start = "from the state that an earlier run left";
+        walk.result.start = "saved state";
     } else if (options.begin == SpanStart::steady) {
         go_on(options.start, options.end, true, walk);
-        walk.result.start = "from the balance of the first day's mean";
+        walk.result.start = "balance of the first day's mean";
     } else if (options.begin != SpanStart::periodic && known >= 1) {
         from_the_weather_before(std::min(known, options.days_before), walk);
     } else {
         from_a_repeated_day(walk);
         if (options.begin == SpanStart::weather) {
-            walk.result.start += " (no day of weather goes before the span)";
+            walk.result.start += " (the weather file has no day before the span)";
         }
     }
     walk.result.end = std::move(walk.state);

@@ -306,7 +306,7 @@ void set_out_lanes(const HeatState& from, const std::vector<std::array<std::size
         const auto [b, l] = place[block.facet[lane]];
         const std::size_t stride = b < from.block.size() ? from.block[b].size() / states : 0;
         if (stride * states == 0 || from.block[b].size() != stride * states || l >= stride) {
-            throw InputError("thermal solve", "the state to go on from belongs to other columns");
+            throw InputError("thermal solve", "the initial state belongs to other columns");
         }
         for (std::size_t m = 0; m < states; ++m) {
             block.start[m * block.stride + lane] = from.block[b][m * stride + l];
@@ -319,13 +319,12 @@ void set_out_from(const HeatState& from, SolveState& solve) {
     const bool same_blocks = from.of_block.empty();
     if (from.kelvin.size() != solve.facets ||
         (same_blocks && from.block.size() != solve.block.size())) {
-        throw InputError("thermal solve", "the state to go on from belongs to other facets");
+        throw InputError("thermal solve", "the initial state belongs to other facets");
     }
     if (same_blocks) {
         for (std::size_t b = 0; b < solve.block.size(); ++b) {
             if (from.block[b].size() != solve.block[b].start.size()) {
-                throw InputError("thermal solve",
-                                 "the state to go on from belongs to other columns");
+                throw InputError("thermal solve", "the initial state belongs to other columns");
             }
             solve.block[b].start = from.block[b];
         }

@@ -177,21 +177,21 @@ std::string reported(const StartError& error) {
     std::string than;
     switch (error.against) {
         case StartError::Against::nothing:
-            return "what another past would have left is not known, as no weather is from before";
+            return "the effect of earlier weather is not included";
         case StartError::Against::more_days:
-            than = fmt::format("a start from the weather of {} days before", error.days);
+            than = fmt::format("a start with {} days of earlier weather", error.days);
             break;
         case StartError::Against::repeated_day:
-            than = "a start from its first day repeated";
+            than = "a start from the first day repeated";
             break;
         case StartError::Against::a_day_less:
-            than = fmt::format("a start from a day less, all that is known being {} day{}",
+            than = fmt::format("a start with one day less of the earlier weather (known: {} day{})",
                                error.days + 1, error.days == 0 ? "" : "s");
             break;
     }
     std::string line = fmt::format(
-        "measured on level ground of each material, {} differs by up to "
-        "{:.2g} K ({}; rms of all {:.2g} K) at the first instant kept",
+        "compared on level ground of each material, {} changes the temperature at the first stored "
+        "instant by up to {:.2g} K ({}; rms of all {:.2g} K)",
         than, error.at_first, error.worst, error.mean);
     if (error.later_h > 0.0)
         line += fmt::format(", {:.2g} K {:g} h later", error.at_later, error.later_h);

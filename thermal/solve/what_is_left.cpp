@@ -40,11 +40,10 @@ std::string furthest_facets(const SolveState& solve, const PointFacets& points,
     }
     const double plain = worst == nullptr ? 0.0 : worst->residual;
     if (single > std::max(plain, network)) {
-        return facet_name(solve, points.summary().worst_facet) +
-               ", which is wet, snowed or freezing";
+        return facet_name(solve, points.summary().worst_facet) + " (wet, snow-covered or freezing)";
     }
     if (network > plain) {
-        return fmt::format("one of the {} facets of targets", targets.summary().facets);
+        return "a facet of a target";
     }
     if (worst == nullptr) return "";
     return facet_name(solve, furthest_of(*worst));
@@ -55,13 +54,13 @@ std::string what_is_left(const SolveState& solve, const PointFacets& points,
     const SolveOptions& options = solve.options;
     std::string line = fmt::format("pass {}", report.passes);
     if (options.periodic) {
-        line += fmt::format(": residual of the repeated day {:.1e} K (limit {:.0e})",
-                            report.periodic_residual, options.tolerance);
+        line += fmt::format(": residual {:.1e} K (limit {:.0e} K)", report.periodic_residual,
+                            options.tolerance);
     }
-    line += fmt::format(", estimated error {:.1e} K (limit {:.0e})", report.estimated_error,
-                        options.settled);
+    line += fmt::format("{} error {:.2g} K (limit {:g} K)", options.periodic ? "," : ":",
+                        report.estimated_error, options.settled);
     if (!options.periodic) return line;
-    return fmt::format("{}, largest at {}", line, furthest_facets(solve, points, targets));
+    return fmt::format("{}, largest: {}", line, furthest_facets(solve, points, targets));
 }
 
 }  // namespace diurna

@@ -9,6 +9,6 @@ namespace diurna {
 /// were not measured.
 ClearSky read_sky(const Section& sky);
 
-inline constexpr const char* sky_says = "what stands for light that was not measured";
+inline constexpr const char* sky_says = "models for radiation that was not measured";
 
 }  // namespace diurna

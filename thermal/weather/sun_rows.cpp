@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -194,19 +195,20 @@ std::string tell(const SunCourseReport& report) {
     std::string line;
     const auto say = [&](const std::string& what) { line += (line.empty() ? "" : "; ") + what; };
     if (report.separated > 0) {
-        say(fmt::format("global sun of {} rows split by a model", report.separated));
+        say(fmt::format("global sunlight of {} is split by a model",
+                        number_of(report.separated, "row")));
     }
     if (report.in_the_dark > 0) {
-        say(
-            fmt::format("{} rows with sunlight while the sun was down, up to {:.0f} W/m2, taken as "
-                        "skylight: are the time stamps right?",
-                        report.in_the_dark, report.brightest_dark));
+        say(fmt::format(
+            "{} sunlight with the sun below the horizon, up to {:.0f} W/m2, which is used as "
+            "skylight: check the time stamps",
+            number_of(report.in_the_dark, "row has", "rows have"), report.brightest_dark));
     }
     if (report.capped > 0) {
         say(
-            fmt::format("direct sun of {} rows beyond a clear sky's by a tenth, the rest taken as "
-                        "diffuse",
-                        report.capped));
+            fmt::format("direct sunlight of {} exceeds the clear-sky value by more than a tenth; "
+                        "the excess is used as diffuse",
+                        number_of(report.capped, "row")));
     }
     return line;
 }

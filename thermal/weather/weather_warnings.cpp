@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/sun_lag.hpp"
@@ -33,7 +34,8 @@ struct Kind {
     }
     void tell(const std::string& where, std::vector<Mistake>& warnings) const {
         if (count == 0) return;
-        const std::string more = count > 1 ? fmt::format(" (and {} samples more)", count - 1) : "";
+        const std::string more =
+            count > 1 ? fmt::format(" (and {})", number_of(count - 1, "more sample")) : "";
         warnings.push_back({where, first + more, hint});
     }
 };
@@ -42,9 +44,9 @@ struct Kind {
 std::string other_unit(const Weather& weather, const std::string& problem,
                        const std::string& declaration) {
     return weather.declarable
-               ? fmt::format("{}is the column's unit another? [weather.columns] takes {}", problem,
-                             declaration)
-               : problem + "the file's format has one unit for it: was it converted wrongly?";
+               ? fmt::format("{}for another unit of the column set it in [weather.columns], as {}",
+                             problem, declaration)
+               : problem + "this format has a fixed unit: check the conversion of the file";
 }
 
 /// Where the sun is to be looked at from: the station, where it is far from the site.
@@ -79,21 +81,21 @@ bool within(Instant when, Instant begin, Instant end) { return when >= begin && 
 
 void warn_of_states(const Weather& weather, Instant begin, Instant end, const std::string& where,
                     std::vector<Mistake>& warnings) {
-    Kind air{
-        other_unit(weather, "never measured at the ground: ", "\"air_temperature degC\" or degF")};
+    Kind air{other_unit(
+        weather, "outside the range measured at the ground: ", "\"air_temperature degC\" or degF")};
     Kind wind{other_unit(weather, "", "\"wind_speed km/h\" or kn")};
-    Kind rain{other_unit(weather, "", "\"rain mm\" of an interval")};
-    Kind sky{"BSRN's limits: is it net or upward radiation, or of another unit?"};
+    Kind rain{other_unit(weather, "", "\"rain mm\" per interval")};
+    Kind sky{"BSRN limits: check for net or upward radiation and the unit"};
     Kind over_air{
-        "of 0.4 to 1 black bodies of the air and 25 W/m2 (BSRN): is it net or upward "
-        "radiation, or the air's temperature of another unit?"};
+        "limits are 0.4 to 1 times the black body of the air plus 25 W/m2 (BSRN): check for net or "
+        "upward radiation and the unit of the air temperature"};
     const std::string weight = fmt::format(
-        "it is that at the station, {:.0f} m above the sea (the standard atmosphere has {:.0f}), "
-        "not reduced to the sea: {}",
+        "pressure is that at the station, {:.0f} m above the sea (standard atmosphere: {:.0f} Pa), "
+        "not reduced to sea level: {}",
         weather.height, standard_pressure(weather.height),
-        weather.carried ? "is weather.height_m another, or the elevation in feet "
-                          "(terrain.height_unit = \"ft\")?"
-                        : "is site.elevation_m another?");
+        weather.carried ? "check weather.height_m, and whether the elevation is in feet "
+                          "(terrain.height_unit = \"ft\")"
+                        : "check site.elevation_m");
     Kind pressure{weight};
     double most_humid = -1.0;
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
@@ -114,9 +116,9 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
     for (const Kind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, warnings);
     if (sky.count == 0 && air.count == 0) over_air.tell(where, warnings);
     if (most_humid >= 0.0 && most_humid < 0.03) {
-        warnings.push_back({where,
-                            fmt::format("relative_humidity is {:.2g} at the most", most_humid),
-                            "it is a share, 0 to 1: was percent divided by 100 twice?"});
+        warnings.push_back(
+            {where, fmt::format("the largest relative_humidity is {:.2g}", most_humid),
+             "it is a share, 0 to 1: check whether percent was divided by 100 twice"});
     }
 }
 
@@ -129,19 +131,18 @@ std::string hours(double seconds) {
 /// What would mend the times, from how far they are off [s].
 std::string mend_of(double lag, double longitude_deg, bool declarable) {
     if (!declarable) {
-        return fmt::format(
-            "is the time zone in the file's header right, or is it "
-            "site.longitude_deg = {:g}?",
-            longitude_deg);
+        return fmt::format("check the time zone in the file's header and site.longitude_deg = {:g}",
+                           longitude_deg);
     }
     const long quarters = std::lround(lag / 900.0);
     const long minutes = 15 * std::abs(quarters);
     return fmt::format(
-        "stamps that say Z but are local want an offset of {}{:02}:{:02} (in the time column, or "
-        "[weather.columns] time = \"time {}{:02}:{:02}\"); or is it site.longitude_deg = {:g}?{}",
+        "local stamps marked Z need the offset {}{:02}:{:02} (in the time column, or "
+        "[weather.columns] time = \"time {}{:02}:{:02}\"); otherwise check site.longitude_deg = "
+        "{:g}{}",
         quarters > 0 ? '-' : '+', minutes / 60, minutes % 60, quarters > 0 ? '-' : '+',
         minutes / 60, minutes % 60, longitude_deg,
-        minutes <= 75 ? " An hour or less may be weather.interval or summer time" : "");
+        minutes <= 75 ? " ; an hour or less may be due to weather.interval or summer time" : "");
 }
 
 /// Light at night, no light by day, and a course that is not the sun's. Returns whether times are
@@ -186,39 +187,36 @@ bool warn_of_times(const Weather& weather, const Site& site, Instant begin, Inst
     if (off) {
         warnings.push_back(
             {where,
-             fmt::format("times look {} {}: measured sunlight follows the sun's course so shifted "
-                         "(correlation {:.2f}), not as it stands ({:.2f}){}",
+             fmt::format("times seem to be {} {}: measured sunlight follows the sun with this "
+                         "shift (correlation {:.2f}), not without it ({:.2f}){}",
                          hours(lag->seconds), lag->seconds > 0.0 ? "early" : "late", lag->fit,
                          lag->as_it_is, night.empty() ? "" : "; " + night),
              mend_of(lag->seconds, site.longitude_deg, weather.declarable)});
     } else if (dark > 0) {
-        warnings.push_back({where, night + fmt::format(" ({} samples)", dark),
-                            weather.declarable ? "is the time column's offset from UTC right, or "
-                                                 "site.longitude_deg?"
-                                               : "is the time zone in the file's header right, or "
-                                                 "site.longitude_deg?"});
-    } else if (low_light > 2 && lit == 0) {
         warnings.push_back(
-            {where,
-             fmt::format("no sunlight was measured from {} to {}, with the sun up to "
-                         "{:.0f} degrees high",
-                         format_instant(begin), format_instant(end), highest),
+            {where, night + fmt::format(" ({})", number_of(dark, "sample")),
              weather.declarable
-                 ? "a column of zeros is darkness: leave it out to have sunlight "
-                   "modelled"
-                 : "zeros are darkness: where nothing was measured, the format has a "
-                   "code for missing values"});
+                 ? "check the UTC offset of the time column and site.longitude_deg"
+                 : "check the time zone in the file's header and site.longitude_deg"});
+    } else if (low_light > 2 && lit == 0) {
+        warnings.push_back({where,
+                            fmt::format("no sunlight was measured from {} to {}, although the sun "
+                                        "rises up to {:.0f} degrees",
+                                        format_instant(begin), format_instant(end), highest),
+                            weather.declarable
+                                ? "zeros mean darkness: remove the column to model the sunlight"
+                                : "zeros mean darkness: use the format's code for missing values"});
     }
     return off || dark > 0;
 }
 
 void warn_of_sunlight(const Weather& weather, const Site& site, Instant begin, Instant end,
                       const std::string& where, std::vector<Mistake>& warnings) {
-    Kind global{other_unit(
-        weather, "more than BSRN holds possible: ", "\"shortwave_down kJ/m2\" and others")};
-    Kind direct{"more than the sun sends: is it of another unit, or global?"};
-    Kind diffuse{"more than BSRN holds possible: is it of another unit, or global?"};
-    Kind up{"more than BSRN holds possible: is its unit another?"};
+    Kind global{
+        other_unit(weather, "above the BSRN limit: ", "\"shortwave_down kJ/m2\" and others")};
+    Kind direct{"above the solar irradiance: check the unit, and whether it is global"};
+    Kind diffuse{"above the BSRN limit: check the unit, and whether it is global"};
+    Kind up{"above the BSRN limit: check the unit"};
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
         if (!within(when, begin, end)) continue;

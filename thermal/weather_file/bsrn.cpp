@@ -79,7 +79,7 @@ WeatherTable read_bsrn(const std::filesystem::path& file) {
     const Record head = record(lines, "0001"), site = record(lines, "0004"),
                  basic = record(lines, "0100"), other = record(lines, "0300");
     if (basic.begin == basic.end || head.begin == head.end) {
-        throw InputError(file.string(), "no logical record 0100, the basic measurements, in it");
+        throw InputError(file.string(), "has no logical record 0100 (basic measurements)");
     }
     const auto station = words_at(lines, head.begin, 3);
     const Month month{whole(station[2], lines.where(head.begin)),

@@ -27,22 +27,24 @@ bool scale(double factor, std::initializer_list<double*> fluxes) {
 }  // namespace
 
 WeatherChange read_weather_change(const Section& weather) {
-    const Section section = weather.section(
-        "changed", "what is made of the file's weather, to ask what follows from its errors");
+    const Section section =
+        weather.section("changed", "changes of the weather, to study the effect of its errors");
     constexpr Range factors{0.0, 10.0};
     WeatherChange change;
-    change.warmer = section.number_or("air_temperature_offset_K",
-                                      "added; vapour pressure stays, at most to saturation",
-                                      change.warmer, {-50.0, 50.0});
-    change.wind = section.number_or("wind_factor", "on its speed", change.wind, factors);
-    change.humidity = section.number_or(
-        "humidity_factor", "on vapour pressure, at most to saturation", change.humidity, factors);
-    change.sunlight = section.number_or("sunlight_factor", "on all sunlight that was measured",
+    change.warmer = section.number_or(
+        "air_temperature_offset_K",
+        "added to air temperature; vapour pressure is unchanged, at most at saturation",
+        change.warmer, {-50.0, 50.0});
+    change.wind = section.number_or("wind_factor", "factor on wind speed", change.wind, factors);
+    change.humidity =
+        section.number_or("humidity_factor", "factor on vapour pressure, at most to saturation",
+                          change.humidity, factors);
+    change.sunlight = section.number_or("sunlight_factor", "factor on all measured sunlight",
                                         change.sunlight, factors);
-    change.longwave = section.number_or("longwave_factor",
-                                        "on the sky's longwave that was measured; a modelled "
-                                        "one follows the air",
-                                        change.longwave, factors);
+    change.longwave = section.number_or(
+        "longwave_factor",
+        "factor on measured longwave radiation of the sky; modelled radiation follows the air",
+        change.longwave, factors);
     return change;
 }
 

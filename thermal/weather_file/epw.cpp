@@ -9,6 +9,7 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather_file/epw_times.hpp"
 #include "thermal/weather_file/text_lines.hpp"
@@ -112,7 +113,7 @@ void put_epw(const std::vector<std::string>& cells, const std::string& where, We
 WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked) {
     const TextLines lines(file);
     if (lines.line.size() <= header_lines || !lines.line[0].starts_with("LOCATION,")) {
-        throw InputError(lines.where(0), "an EPW file begins with LOCATION and 7 more lines");
+        throw InputError(lines.where(0), "is not EPW: expected LOCATION and 7 more header lines");
     }
     WeatherTable table{.file = file, .format = "EPW"};
     table.stamps = Stamp::end;
@@ -144,7 +145,7 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
         places.push_back(where);
         cells.push_back(std::move(row));
     }
-    if (times.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (times.empty()) throw InputError(file.string(), "has no weather, only a header");
     const std::vector<double> ends =
         epw_ends(times, epw_rows_per_hour(lines.line[header_lines - 1]), table.notes);
     std::vector<LocalRow> rows;
@@ -157,14 +158,15 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
     for (const auto& [count, what] : {std::pair{zeros.infrared, "infrared of 0 W/m2"},
                                       std::pair{zeros.pressure, "pressure of 0 Pa"}}) {
         if (count == 0) continue;
-        table.notes.push_back(fmt::format("{} in {} rows is taken as missing", what, count));
+        table.notes.push_back(
+            fmt::format("{} in {} is treated as missing", what, number_of(count, "row")));
     }
     if (const auto hours = irradiance_offset(lines)) {
         table.stamps = Stamp::instant;
         table.light_offset = 3600.0 * *hours;
         table.notes.push_back(
-            fmt::format("sunlight is of the instants {:.0f} min {} the rows' stamps, as the file's "
-                        "comment says",
+            fmt::format("sunlight is that of the instants {:.0f} min {} the rows' stamps, as the "
+                        "file's comment states",
                         std::abs(60.0 * *hours), *hours < 0.0 ? "before" : "after"));
     }
     return table;

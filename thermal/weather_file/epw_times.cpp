@@ -73,14 +73,14 @@ std::vector<double> epw_ends(const std::vector<EpwTime>& rows, int declared,
     const std::size_t most = most_rows(hours);
     const std::size_t per_hour = std::max<std::size_t>(most, declared > 0 ? declared : 1);
     if (declared > 0 && most != std::size_t(declared)) {
-        notes.push_back(fmt::format("DATA PERIODS declares {} rows an hour, the file has up to {}",
-                                    declared, most));
+        notes.push_back(fmt::format(
+            "DATA PERIODS declares {} rows per hour, but the file has up to {}", declared, most));
     }
     const EpwHours kind = epw_hours(rows);
     std::vector<double> ends;
     if (kind == EpwHours::ends) {
         notes.push_back(fmt::format(
-            "its times are the clock's at the end of each interval: the first is {}:{:02}",
+            "its times are clock times at the end of each interval: the first is {}:{:02}",
             rows.front().hour, rows.front().minute));
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const EpwTime& row = rows[i];
@@ -93,8 +93,7 @@ std::vector<double> epw_ends(const std::vector<EpwTime>& rows, int declared,
     }
     const int first_hour = kind == EpwHours::from_0 ? 0 : 1;
     if (first_hour == 0) {
-        notes.push_back(
-            "its hours count from 0 to 23: each is the time from that hour to the next");
+        notes.push_back("its hours are 0 to 23: each begins an interval");
     }
     std::map<int, std::size_t> part_of_minute;  // as whole hours have it
     for (const HourRows& hour : hours) {

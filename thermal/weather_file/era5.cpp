@@ -22,9 +22,9 @@ void check_hourly(const WeatherTable& table, const std::string& name, double flu
     if (!(flux > 1500.0)) return;
     throw InputError(
         table.where[row],
-        fmt::format("found {:.0f} J/m2 of {}, more than one hour brings", flux * hour, name),
-        "sums of more than an hour are taken apart only where they grow from 01:00 to 00:00 UTC, "
-        "hour by hour, as ERA5-Land's do");
+        fmt::format("found {:.0f} J/m2 of {}, more than one hour can have", flux * hour, name),
+        "sums over more than an hour are converted only if they increase from 01:00 to 00:00 UTC "
+        "every hour, as in ERA5-Land");
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ bool is_era5_name(const std::string& name) {
 void add_stamp(Era5Series& series, Instant stamp, const std::string& where) {
     if (!series.stamp.empty() && stamp <= series.stamp.back()) {
         throw InputError(
-            where, fmt::format("{} does not come after the row before it", format_instant(stamp)));
+            where, fmt::format("{} is not later than the previous row", format_instant(stamp)));
     }
     series.stamp.push_back(stamp);
     series.where.push_back(where);
@@ -55,10 +55,10 @@ void join_era5(Era5Series& all, const Era5Series& more) {
          std::abs(all.place->longitude_deg - more.place->longitude_deg) > same_place_deg)) {
         throw InputError(
             more.file.string(),
-            fmt::format("is of {:.2f} N {:.2f} E, {} of {:.2f} N {:.2f} E",
+            fmt::format("is at {:.2f} N {:.2f} E, {} at {:.2f} N {:.2f} E",
                         more.place->latitude_deg, more.place->longitude_deg, all.file.string(),
                         all.place->latitude_deg, all.place->longitude_deg),
-            "files of one list are of one place");
+            "all files of a list must have the same place");
     }
     if (!all.place) all.place = more.place;
     const JoinedRows rows = joined_rows(all.stamp, more.stamp);
@@ -137,15 +137,15 @@ WeatherTable era5_table(Era5Series series) {
         }
     }
     if (!table.has(Quantity::air_temperature)) {
-        throw InputError(table.file.string(), "no t2m, the air's temperature, in it",
-                         "the store puts accumulated and instantaneous variables into two files: "
-                         "weather.file takes both, [\"instant.nc\", \"accum.nc\"], or its zip");
+        throw InputError(table.file.string(), "has no t2m, the air temperature",
+                         "the data store separates accumulated and instantaneous variables: set "
+                         "weather.file to both, [\"instant.nc\", \"accum.nc\"], or to its zip");
     }
     const double usual = usual_interval(table.stamp);
     if (usual > 1.5 * hour &&
         (table.has(Quantity::shortwave_down) || table.has(Quantity::longwave_down))) {
         table.notes.push_back(fmt::format(
-            "ERA5's radiation is of the last hour of each {:g} h, taken for all of them",
+            "ERA5's radiation is that of the last hour of each {:g} h and is used for all of them",
             usual / hour));
     }
     return table;

@@ -10,7 +10,7 @@ namespace diurna {
 namespace {
 
 Era5Series csv_series_of(const CsvTable& csv) {
-    if (csv.rows.empty()) throw InputError(csv.path.string(), "holds no weather, only a header");
+    if (csv.rows.empty()) throw InputError(csv.path.string(), "has no weather, only a header");
     Era5Series series{.file = csv.path, .format = "ERA5 CSV"};
     const std::size_t time = csv.column("valid_time");
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
@@ -36,8 +36,8 @@ Era5Series csv_series_of(const CsvTable& csv) {
                 csv.rows[row][east] == csv.rows[0][east]) {
                 continue;
             }
-            throw InputError(csv.where(row, north), "another place than the row before",
-                             "extract one point");
+            throw InputError(csv.where(row, north), "has another place than the previous row",
+                             "extract a single point");
         }
     }
     return series;

@@ -82,7 +82,7 @@ class NetcdfFile {
         constexpr std::size_t most_versions = 100;
         if (versions == 0 || versions > most_versions || size != count * versions) {
             throw InputError(path_ + ": " + name,
-                             fmt::format("holds {} values for {} instants", size, count),
+                             fmt::format("has {} values for {} instants", size, count),
                              "expected dimensions of time, latitude and longitude, and expver");
         }
         const std::vector<double> all = unpacked(id, name, first, length, size);
@@ -237,10 +237,10 @@ GridPoint point_of_area(const NetcdfFile& netcdf, std::size_t instants,
     series.place->height = not_measured;
     if (points.size() > 1) {
         series.notes.push_back(fmt::format(
-            "an area of {} x {} grid points: that at {:.2f} N {:.2f} E is used, {}", north.size(),
-            east.size(), series.place->latitude_deg, series.place->longitude_deg,
+            "the file covers {} x {} grid points: the one at {:.2f} N {:.2f} E is used, {}",
+            north.size(), east.size(), series.place->latitude_deg, series.place->longitude_deg,
             site ? fmt::format("{:.0f} km from the site", distance_km(place_of(chosen), near))
-                 : "the nearest to its middle; in a scene it is the nearest to the site"));
+                 : "nearest to the centre; in a scene the one nearest to the site is used"));
     }
     return chosen;
 }
@@ -250,12 +250,12 @@ Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::pat
     const std::string time = netcdf.variable("valid_time") >= 0 ? "valid_time" : "time";
     const std::string where = file.string() + ": " + time;
     if (netcdf.variable(time) < 0) {
-        throw InputError(file.string(), "neither valid_time nor time in it");
+        throw InputError(file.string(), "has neither valid_time nor time");
     }
     Era5Series series{.file = file, .format = "ERA5 netCDF"};
     const auto [start, step] = time_units(netcdf.text(netcdf.variable(time), "units"), where);
     const std::size_t count = netcdf.size_of(netcdf.variable(time));
-    if (count == 0) throw InputError(where, "holds no instants");
+    if (count == 0) throw InputError(where, "has no instants");
     for (const double value : netcdf.values(time, count)) {
         add_stamp(series, later(start, value * step),
                   fmt::format("{}[{}]", where, series.stamp.size()));

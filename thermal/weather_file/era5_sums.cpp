@@ -65,7 +65,8 @@ void take_sums_apart(Era5Series& series) {
         }
     }
     series.notes.push_back(
-        "radiation and rain are sums since midnight UTC, as in ERA5-Land: taken apart into hours");
+        "radiation and rain are sums since midnight UTC, as in ERA5-Land, and are converted to "
+        "hourly values");
 }
 
 }  // namespace diurna

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "terrain/place/sun.hpp"
 
 namespace diurna {
@@ -25,13 +26,14 @@ InputError large_gap(const std::string& where, const std::string& what, const As
                      Instant from, Instant to) {
     std::string advice = R"(on_gap = "interpolate" or "clear_sky" in [weather] fills it)";
     if (asked.any() && to <= asked.begin) {
-        advice += "; it lies before the span, in days that its start is found from";
+        advice += "; the gap is in the days before the span that determine its start";
     }
-    return InputError(where,
-                      fmt::format("no {} between {} and {} ({:.1f} h; up to {:g} h are filled)",
-                                  what, format_instant(from), format_instant(to),
-                                  seconds_between(from, to) / 3600.0, longest_small_gap / 3600.0),
-                      advice);
+    return InputError(
+        where,
+        fmt::format("no {} between {} and {} ({:.1f} h; gaps up to {:g} h are filled)", what,
+                    format_instant(from), format_instant(to), seconds_between(from, to) / 3600.0,
+                    longest_small_gap / 3600.0),
+        advice);
 }
 
 /// Puts in rows, all missing, where the file has holes.
@@ -173,7 +175,7 @@ void drop_empty_columns(WeatherTable& table) {
         }
     }
     if (!table.has(Quantity::air_temperature)) {
-        throw InputError(table.file.string(), "no air temperature in it");
+        throw InputError(table.file.string(), "has no air temperature");
     }
 }
 
@@ -202,11 +204,10 @@ std::string reported(const std::array<Filled, quantity_count>& filled) {
         add(by_formula, filled[q].by_formula, q);
     }
     if (all == 0) return "";
-    std::string line = fmt::format("{} values filled in gaps:", all);
-    if (!by_line.empty()) line += " " + by_line + " on the line between neighbours";
+    std::string line = fmt::format("{} filled in gaps:", number_of(all, "value"));
+    if (!by_line.empty()) line += " " + by_line + " by linear interpolation";
     if (!by_formula.empty()) {
-        line +=
-            fmt::format("{} {} by clear sky's formulas", by_line.empty() ? "" : ",", by_formula);
+        line += fmt::format("{} {} by clear-sky formulas", by_line.empty() ? "" : ",", by_formula);
     }
     return line;
 }

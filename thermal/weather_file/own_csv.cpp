@@ -51,15 +51,15 @@ void add_unknown(const CsvTable& csv, const std::vector<std::size_t>& unknown,
     if (unknown.size() > most_by_themselves) {
         mistakes.push_back(
             {where(unknown.front()),
-             fmt::format("this and {} more columns are none of a weather file", unknown.size() - 1),
-             "[weather.columns] tells what those that count hold, and others are passed over"});
+             fmt::format("this and {} more columns have no known name", unknown.size() - 1),
+             "describe the columns to be used in [weather.columns]; others are ignored"});
         return;
     }
     for (const std::size_t c : unknown) {
         const std::string near = did_you_mean(csv.header[c], own_columns());
-        mistakes.push_back({where(c), "is no column of a weather file",
+        mistakes.push_back({where(c), "is not a known column name",
                             near.empty()
-                                ? fmt::format("[weather.columns] tells what it holds: {} = "
+                                ? fmt::format("describe it in [weather.columns]: {} = "
                                               "\"air_temperature degC\", \"wind_speed kn\" ...",
                                               csv.header[c])
                                 : near});
@@ -101,7 +101,7 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
             if (taken[index(*quantity)]) {
                 mistakes.push_back(
                     {file + ": " + name,
-                     fmt::format("is the second column of {}", facts(*quantity).name), ""});
+                     fmt::format("is the second column for {}", facts(*quantity).name), ""});
             }
             taken[index(*quantity)] = true;
             layout.used.push_back({c, *quantity, is_declared ? found->unit : Unit{}});
@@ -115,14 +115,14 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
     if (!has_time) mistakes.push_back({file, "no column 'time' in the header", ""});
     if (!taken[index(Quantity::air_temperature)]) {
         mistakes.push_back({file, "no column 'air_temperature_K' in the header",
-                            "columns of other names or units: [weather.columns]"});
+                            "describe other names or units in [weather.columns]"});
     }
     if (!mistakes.empty()) throw InputError(mistakes);
     if (layout.part.empty()) return layout;
     check_time_parts(layout.part, file);
     if (std::isnan(layout.offset_h)) {
-        throw InputError(file, "the times of its columns have no offset from UTC",
-                         fmt::format("write it once: [weather.columns] {} = \"{} -07:00\"",
+        throw InputError(file, "the times of its columns have no UTC offset",
+                         fmt::format("set it once: [weather.columns] {} = \"{} -07:00\"",
                                      csv.header[layout.time],
                                      time_part_names()[std::size_t(layout.part.front())]));
     }
@@ -191,7 +191,8 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
         column.part = *part;
         if (!unit.empty() && !offset_in(unit, column.offset_h)) {
             throw InputError(
-                where, fmt::format("found offset '{}', expected UTC or such as -05:00", unit));
+                where,
+                fmt::format("found offset '{}', expected UTC or an offset such as -05:00", unit));
         }
         return column;
     }
@@ -216,7 +217,7 @@ WeatherTable read_own_csv(const std::filesystem::path& file,
         csv_table(file, text, skip_lines > 0 ? skip_lines : known_lines_above(text));
     const bool foreign = !declared.empty();
     const Layout layout = layout_of(csv, declared);
-    if (csv.rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (csv.rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     WeatherTable table{.file = file, .format = "CSV"};
     table.declarable = true;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {

@@ -100,9 +100,9 @@ struct PsmUsed {
 WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked) {
     const TextLines lines(file);
     if (lines.line.size() <= psm_header_lines) {
-        throw InputError(file.string(),
-                         "an NSRDB file has two lines of header, one of columns "
-                         "and then rows; it ends before");
+        throw InputError(
+            file.string(),
+            "is truncated: an NSRDB file has two header lines, one line of columns and then rows");
     }
     const PsmHeader header{small_cells(lines.line[0]), small_cells(lines.line[1]), lines.where(1)};
     const std::vector<std::string> names = small_cells(lines.line[2]);
@@ -138,7 +138,7 @@ WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked)
         std::vector<std::string> row = csv_cells(lines.line[i]);
         if (row.size() <= widest) {
             throw InputError(
-                where, fmt::format("found {} cells, expected {} or more", row.size(), widest + 1));
+                where, fmt::format("found {} cells, expected at least {}", row.size(), widest + 1));
         }
         std::array<int, 5> at{};
         for (std::size_t k = 0; k < time.size(); ++k) {
@@ -149,7 +149,7 @@ WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked)
         rows.push_back({at[0], at[1], at[2], 3600.0 * at[3] + 60.0 * at[4], where});
         cells.push_back(std::move(row));
     }
-    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     add_local_rows(rows, header.number("time zone"), asked, table, [&](std::size_t i) {
         for (const PsmUsed& one : used) {
             const std::string where = fmt::format("{}:{}", rows[i].where, one.column + 1);

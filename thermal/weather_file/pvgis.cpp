@@ -87,8 +87,8 @@ std::size_t header_line_of(const TextLines& lines, std::string_view name) {
 void check_horizontal(const TextLines& lines, const PvgisCells& series) {
     constexpr double level = 0.5;  // [deg]
     constexpr const char* remedy =
-        "download the series with slope 0, or a typical year (TMY), whose sunlight is of the "
-        "horizontal plane and of the beam";
+        "download the series with slope 0, or a typical year (TMY), which has horizontal and beam "
+        "irradiance";
     const std::size_t at = header_line_of(lines, "Slope");
     if (at < lines.line.size()) {
         const std::size_t colon = lines.line[at].find(':');
@@ -100,8 +100,8 @@ void check_horizontal(const TextLines& lines, const PvgisCells& series) {
             return;
         }
         throw InputError(lines.where(at),
-                         fmt::format("found '{}'; expected 'Slope: 0 deg.': the sunlight of this "
-                                     "series is of an inclined or moving plane",
+                         fmt::format("found '{}', expected 'Slope: 0 deg.': this series is for an "
+                                     "inclined or moving plane",
                                      lines.line[at].substr(0, 60)),
                          remedy);
     }
@@ -110,10 +110,9 @@ void check_horizontal(const TextLines& lines, const PvgisCells& series) {
         reflected = series.number(row, "Gr(i)") > 0.0;
     }
     if (!reflected) return;
-    throw InputError(lines.path.string(),
-                     "no line 'Slope: 0 deg.' in its head: the plane that its sunlight falls on "
-                     "is not known",
-                     remedy);
+    throw InputError(
+        lines.path.string(),
+        "no line 'Slope: 0 deg.' in its header: the plane of its irradiance is unknown", remedy);
 }
 
 }  // namespace
@@ -126,8 +125,7 @@ WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& aske
     while (head < lines.line.size() && !lines.line[head].starts_with("time")) ++head;
     if (head == lines.line.size()) {
         throw InputError(file.string(),
-                         "a file of PVGIS without its line of columns, which "
-                         "begins with time(UTC)");
+                         "a PVGIS file without its line of columns, which begins with time(UTC)");
     }
     WeatherTable table{.file = file, .format = "PVGIS"};
     table.stamps = Stamp::instant;
@@ -161,7 +159,7 @@ WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& aske
         rows.push_back(one);
         cells.push_back(std::move(row));
     }
-    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     const bool series = file_cells.has("G(i)") || file_cells.has("Gb(i)");
     const bool in_parts =
         !file_cells.has("G(i)") && file_cells.has("Gb(i)") && file_cells.has("Gd(i)");
@@ -187,13 +185,12 @@ WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& aske
     }
     if (series) {
         table.notes.push_back(
-            "PVGIS' series of hours: sunlight of the horizontal plane, at the rows' times");
+            "PVGIS hourly series: irradiance on the horizontal plane at the rows' times");
     }
     if (offset_h != 0.0) {
-        table.notes.push_back(
-            fmt::format("sunlight is of the instants {:.0f} min {} the rows' "
-                        "times, as the file says",
-                        std::abs(60.0 * offset_h), offset_h < 0.0 ? "before" : "after"));
+        table.notes.push_back(fmt::format(
+            "sunlight is that of the instants {:.0f} min {} the rows' times, as the file states",
+            std::abs(60.0 * offset_h), offset_h < 0.0 ? "before" : "after"));
     }
     return table;
 }

@@ -29,9 +29,9 @@ Stamp stamps_of(const WeatherTable& table, const WeatherOptions& options) {
     if (table.stamps && options.interval && *table.stamps != *options.interval) {
         throw InputError(
             options.where,
-            fmt::format("found '{}', but stamps of {} files are '{}'", name_of(*options.interval),
-                        table.format, name_of(*table.stamps)),
-            "leave the key out");
+            fmt::format("found '{}', but the stamps of {} files mean '{}'",
+                        name_of(*options.interval), table.format, name_of(*table.stamps)),
+            "remove the key");
     }
     return options.interval.value_or(table.stamps.value_or(Stamp::end));
 }
@@ -45,18 +45,18 @@ void check_cover(WeatherTable& table, Stamp stamps, const AskedSpan& asked) {
     const double late = seconds_between(span.end, asked.end);
     if (early > slack || late > slack) {
         throw InputError(table.file.string(),
-                         fmt::format("holds weather from {} to {}; asked for {} to {}",
+                         fmt::format("has weather from {} to {}, expected {} to {}",
                                      format_instant(span.begin), format_instant(span.end),
                                      format_instant(asked.begin), format_instant(asked.end)));
     }
     if (early > 0.0) {
-        table.notes.push_back(
-            fmt::format("the file begins {:g} min after the span; its first row is held before it",
-                        early / 60.0));
+        table.notes.push_back(fmt::format(
+            "the file begins {:g} min after the span; its first row is used before", early / 60.0));
     }
     if (late > 0.0) {
         table.notes.push_back(fmt::format(
-            "the file ends {:g} min before the span; its last row is held behind it", late / 60.0));
+            "the file ends {:g} min before the end of the span; its last row is used after",
+            late / 60.0));
     }
 }
 
@@ -75,14 +75,14 @@ void check_pressure(const WeatherTable& table, double height) {
     for (std::size_t row = 0; row < all.size(); ++row) {
         if (std::isnan(all[row]) || fits(all[row])) continue;
         std::string hint;
-        if (!table.declarable) hint = "is the file damaged, or was it converted wrongly?";
+        if (!table.declarable) hint = "check whether the file is damaged or was converted wrongly";
         for (const auto& [unit, pascal] : {std::pair{"hPa", 100.0}, {"kPa", 1000.0}}) {
             if (!table.declarable || std::abs(all[row] * pascal - usual) > 2.0 * near * usual) {
                 continue;
             }
             hint = fmt::format(
-                "looks like {}: pressure_Pa is in Pa; [weather.columns] takes a "
-                "column as \"pressure {}\"",
+                "seems to be {}: pressure_Pa is in Pa; declare the unit in [weather.columns]: "
+                "\"pressure {}\"",
                 unit, unit);
         }
         throw InputError(table.where[row] + ": pressure_Pa",

@@ -84,7 +84,7 @@ WeatherTable read_solar_anywhere(const std::filesystem::path& file, const AskedS
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         rows.push_back(solar_anywhere_row(csv.rows[row][time], csv.where(row, time)));
     }
-    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     // Of the day's hours, so that years that a typical year joins do not count.
     std::vector<double> steps;
     for (std::size_t i = 1; i < rows.size(); ++i) {

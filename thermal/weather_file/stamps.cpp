@@ -17,8 +17,8 @@ Instant stamp_in(std::string text, double offset_h, const std::string& where) {
         text.size() > date_length && text.find_first_of("Z+-", date_length) != std::string::npos;
     if (!has_offset && std::isnan(offset_h)) {
         parse_instant(text + "Z", where);  // throws where that is not all it lacks
-        throw InputError(where, "found '" + text + "' without an offset from UTC",
-                         "write it behind each time, 2003-10-17T12:30:30-07:00, or once: "
+        throw InputError(where, "found '" + text + "' without a UTC offset",
+                         "add it to each time, 2003-10-17T12:30:30-07:00, or set it once: "
                          "[weather.columns] time = \"time -07:00\"");
     }
     // pandas' %z: "+0000", or "+00".

@@ -35,7 +35,7 @@ void warn_of_place(WeatherTable& table, const WeatherPlace& place) {
                          "N {:.3f} E",
                          station.latitude_deg, station.longitude_deg, km, place.site->latitude_deg,
                          place.site->longitude_deg),
-             "is it the right file? Are site.latitude_deg and site.longitude_deg right?"});
+             "check the file, site.latitude_deg and site.longitude_deg"});
     }
     const double up = station.height - place.elevation;
     if (std::abs(up) > far_up_m && !place.height_named) {
@@ -45,9 +45,9 @@ void warn_of_place(WeatherTable& table, const WeatherPlace& place) {
                          "{:.0f} m",
                          station.height, std::abs(up), up > 0.0 ? "higher" : "lower",
                          place.elevation),
-             place.carried ? "air, pressure and sky are taken to the site's height by "
+             place.carried ? "air, pressure and sky are adjusted to the site's height by "
                              "weather.lapse; weather.height_m, if given, is the station's height"
-                           : "the weather is used as it is; is site.elevation_m right?"});
+                           : "the weather is used unchanged: check site.elevation_m"});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather_file/text_lines.hpp"
 
@@ -36,7 +37,7 @@ void check_same_place(const std::vector<std::string_view>& one,
                       const std::vector<std::string_view>& other, const std::string& where) {
     for (std::size_t k = 0; k < 2; ++k) {
         if (std::abs(number_in(one.at(k), where) - number_in(other.at(k), where)) < 0.01) continue;
-        throw InputError(where, "is another station than the file begins with");
+        throw InputError(where, "is another station than the first row's");
     }
 }
 
@@ -100,14 +101,14 @@ WeatherTable read_surfrad(const std::filesystem::path& file) {
             where);
         put_surfrad(words, where, table, flagged);
     }
-    if (table.stamp.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (table.stamp.empty()) throw InputError(file.string(), "has no weather, only a header");
     if (flagged.bad > 0) {
-        table.notes.push_back(
-            fmt::format("{} values flagged bad by SURFRAD, taken as missing", flagged.bad));
+        table.notes.push_back(fmt::format("{} flagged bad by SURFRAD treated as missing",
+                                          number_of(flagged.bad, "value")));
     }
     if (flagged.questionable > 0) {
-        table.notes.push_back(
-            fmt::format("{} values flagged questionable by SURFRAD, used", flagged.questionable));
+        table.notes.push_back(fmt::format("{} flagged questionable by SURFRAD used",
+                                          number_of(flagged.questionable, "value")));
     }
     return table;
 }

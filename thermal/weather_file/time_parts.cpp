@@ -147,7 +147,7 @@ void check_time_parts(std::span<const TimePart> parts, const std::string& where)
         return;
     }
     throw InputError(where,
-                     "the columns of [weather.columns] name no day, expected date, or year with "
+                     "[weather.columns] has no column for the day, expected date, or year with "
                      "month and day, or year with day_of_year");
 }
 

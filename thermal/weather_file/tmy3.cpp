@@ -89,7 +89,7 @@ WeatherTable read_tmy3(const std::filesystem::path& file, const AskedSpan& asked
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         rows.push_back(local_row(csv, row, date, time));
     }
-    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     add_local_rows(rows, of_place(3), asked, table,
                    [&](std::size_t i) { put_tmy3(csv, i, table); });
     return table;

@@ -68,7 +68,7 @@ void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const As
         for (const auto& [i, day] : rows_of_year(rows, year)) add(i, year, day);
     }
     table.notes.push_back(fmt::format(
-        "a typical year, its months of several years, taken for {}",
+        "a typical year with months of several years, used for {}",
         first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last)));
 }
 

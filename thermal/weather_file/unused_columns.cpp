@@ -143,8 +143,9 @@ void warn_of_unused_columns(WeatherTable& table) {
              fmt::format("this column is not used, and there is no other {}{}", f.name,
                          f.modelled != nullptr ? fmt::format(": {} is assumed", f.modelled) : ""),
              table.declarable
-                 ? fmt::format("[weather.columns] takes it as {} = \"{} UNIT\", the unit one of {}",
-                               column, f.name, fmt::join(unit_names(*quantity), ", "))
+                 ? fmt::format(
+                       "describe it in [weather.columns]: {} = \"{} UNIT\", the unit one of {}",
+                       column, f.name, fmt::join(unit_names(*quantity), ", "))
                  : ""});
     }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/number_of.hpp"
 #include "thermal/weather_file/bsrn.hpp"
 #include "thermal/weather_file/epw.hpp"
 #include "thermal/weather_file/era5_files.hpp"
@@ -41,13 +42,13 @@ void check_same_kind(const WeatherTable& all, const WeatherTable& more) {
         all.light_offset != more.light_offset) {
         throw InputError(more.file.string(),
                          fmt::format("is {}, {} is {}", more.format, all.file.string(), all.format),
-                         "files of one list are of one format");
+                         "all files of a list must have the same format");
     }
     if (all.place && more.place && distance_km(*all.place, *more.place) > same_station_km) {
         throw InputError(more.file.string(),
-                         fmt::format("is of a station {:.0f} km from that of {}",
+                         fmt::format("is from a station {:.0f} km from that of {}",
                                      distance_km(*all.place, *more.place), all.file.string()),
-                         "files of one list are of one station");
+                         "all files of a list must be from one station");
     }
 }
 
@@ -60,10 +61,9 @@ void join_table(WeatherTable& all, const WeatherTable& more) {
         return rows.first[i] != no_row && rows.second[i] != no_row;
     });
     if (twice > 0) {
-        all.notes.push_back(
-            fmt::format("{} instants are in {} and in an earlier file of the list, "
-                        "whose values are used",
-                        twice, more.file.string()));
+        all.notes.push_back(fmt::format(
+            "{} in {} and in an earlier file of the list; the earlier file's values are used",
+            number_of(twice, "instant is", "instants are"), more.file.string()));
     }
     std::vector<std::string> where;
     for (std::size_t i = 0; i < rows.stamp.size(); ++i) {
@@ -104,15 +104,15 @@ WeatherTable read_weather_table(const std::filesystem::path& file, const Weather
     const WeatherFormat format = weather_format(file);
     if (format != WeatherFormat::csv && format != WeatherFormat::era5_csv &&
         !options.columns.empty()) {
-        throw InputError(file.string(),
-                         "is of a format that has its own columns; those of [weather.columns] are "
-                         "declared of CSV only");
+        throw InputError(
+            file.string(),
+            "has a format with its own columns; [weather.columns] applies to CSV only");
     }
     if (format != WeatherFormat::csv && !options.missing.empty()) {
-        throw InputError(options.where_missing,
-                         fmt::format("{} is of a format that has its own codes for missing values",
-                                     file.filename().string()),
-                         "leave the key out");
+        throw InputError(
+            options.where_missing,
+            fmt::format("{} has its own codes for missing values", file.filename().string()),
+            "remove the key");
     }
     switch (format) {
         case WeatherFormat::epw:

@@ -107,21 +107,21 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
     if (head.starts_with("PK\x03\x04")) {
         const bool named_as_sheet = extension == ".xlsx" || extension == ".ods";
         if (!named_as_sheet && is_era5_zip(file)) return WeatherFormat::era5_zip;
-        throw InputError(file.string(), "is a spreadsheet, or an archive without one weather file",
-                         "save a sheet as CSV with commas between cells; of an archive unpack the "
-                         "file that is meant");
+        throw InputError(
+            file.string(), "is a spreadsheet, or an archive without one weather file",
+            "save a sheet as CSV with commas between cells, or unpack the file from the archive");
     }
     const std::size_t first = head.find_first_not_of(" \t\r\n");
     if (first != std::string::npos && head[first] == '{') {
-        throw InputError(file.string(), "is JSON, which is not read as weather",
-                         "PVGIS, Open-Meteo and NASA POWER give the same as CSV");
+        throw InputError(file.string(), "is JSON, a format that is not supported for weather",
+                         "PVGIS, Open-Meteo and NASA POWER also offer CSV");
     }
     if (extension == ".epw" && found != WeatherFormat::epw) {
-        refuse("no EPW file: those begin with LOCATION");
+        refuse("is not an EPW file: those begin with LOCATION");
     }
-    if (extension == ".nc" && found != WeatherFormat::era5_netcdf) refuse("no netCDF file");
+    if (extension == ".nc" && found != WeatherFormat::era5_netcdf) refuse("is not a netCDF file");
     if (extension == ".dat" && found == WeatherFormat::csv && head.find(',') == std::string::npos) {
-        refuse("neither SURFRAD's nor BSRN's");
+        refuse("is neither a SURFRAD nor a BSRN file");
     }
     return found;
 }

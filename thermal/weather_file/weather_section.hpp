@@ -10,10 +10,9 @@ namespace diurna {
 
 /// What `file` of [weather] is.
 inline constexpr const char* weather_file_says =
-    "EPW, TMY3, NSRDB (PSM), SolarAnywhere, PVGIS, SURFRAD, BSRN or ERA5 (CSV, netCDF, the store's "
-    "zip), "
-    "recognised by content, or CSV with columns as in thermal/weather_file/README.md; or an array "
-    "of files of one format, whose rows are joined";
+    "EPW, TMY3, NSRDB (PSM), SolarAnywhere, PVGIS, SURFRAD, BSRN or ERA5 (CSV, netCDF, the data "
+    "store's zip), recognised by content, or CSV with columns as in "
+    "thermal/weather_file/README.md; or an array of files of one format, whose rows are joined";
 
 /// The keys of [weather] in scene and column files but its file: what a time stamp means, what its
 /// columns are, where wind and air were measured, what is done about gaps.

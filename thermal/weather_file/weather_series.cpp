@@ -78,7 +78,7 @@ std::string tell_absent(const WeatherTable& table) {
         !table.has(Quantity::plane_of_array)) {
         say("sunlight");
     }
-    return absent.empty() ? "" : "not measured, modelled: " + absent;
+    return absent.empty() ? "" : "modelled, not measured: " + absent;
 }
 
 struct Columns {

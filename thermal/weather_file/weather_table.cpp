@@ -13,8 +13,8 @@ namespace diurna {
 void add_row(WeatherTable& table, Instant stamp, const std::string& where) {
     if (!table.stamp.empty() && stamp <= table.stamp.back()) {
         throw InputError(
-            where, fmt::format("{} does not come after the row before it", format_instant(stamp)),
-            "times ascend, each once; where clocks go back, offsets tell the hours apart");
+            where, fmt::format("{} is not later than the previous row", format_instant(stamp)),
+            "times must ascend; where clocks change, write UTC offsets");
     }
     table.stamp.push_back(stamp);
     table.where.push_back(where);
@@ -64,19 +64,19 @@ void check_range(Quantity quantity, double value, const std::string& where, bool
     throw InputError(
         where,
         fmt::format(
-            "found {:g}{}; {} lies between {:g} and {:g}", cell,
+            "found {:g}{}; {} is between {:g} and {:g}", cell,
             converted ? fmt::format(", which is {:g} in the unit of {}", value, f.column) : "",
             f.column, f.least, f.most),
         stands_for_none(cell) && declarable
-            ? fmt::format("where nothing was measured, leave the cell empty, or name the code: "
+            ? fmt::format("leave the cell empty if the value is missing, or declare the code: "
                           "missing = [{:g}] in [weather]",
                           cell)
-        : converted && declarable ? "is the unit that [weather.columns] declares the right one?"
+        : converted && declarable ? "check the unit in [weather.columns]"
         : unit.empty() || !declarable
             ? ""
-            : fmt::format("looks like another unit: [weather.columns] takes "
-                          "a column as \"{} {}\"",
-                          f.name, unit));
+            : fmt::format(
+                  "seems to have another unit: declare it in [weather.columns] as \"{} {}\"",
+                  f.name, unit));
 }
 
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where) {
@@ -103,8 +103,8 @@ Instant local_instant(int year, int month, int day, double seconds, double offse
     const year_month_day date{std::chrono::year(year), std::chrono::month(unsigned(month)),
                               std::chrono::day(unsigned(day))};
     if (!date.ok() || seconds < 0.0 || seconds > 86400.0) {
-        throw InputError(where, fmt::format("{}-{}-{} {:g} h: there is no such time", year, month,
-                                            day, seconds / 3600.0));
+        throw InputError(where, fmt::format("{}-{}-{} {:g} h does not exist", year, month, day,
+                                            seconds / 3600.0));
     }
     return later(Instant(sys_days(date)), seconds - 3600.0 * offset_h);
 }

@@ -31,7 +31,7 @@ constexpr std::array<Model, 11> models{{
      "road tractor with a box trailer",
      make_tractor_and_trailer,
      {1.2, 0.6, 0.275}},
-    {"fuel_tank", "lying tank on saddles, half full", make_fuel_tank, {0.38, 0.2, 0.115}},
+    {"fuel_tank", "horizontal tank on saddles, half full", make_fuel_tank, {0.38, 0.2, 0.115}},
     {"generator", "diesel set under a canopy", make_generator, {0.5, 0.167, 0.085}},
     {"mast", "lattice mast with two dishes", make_mast, {1.0, 0.45, 0.23}, true},
     {"house",
@@ -74,7 +74,7 @@ MeshFile model_mesh(const std::string& name, Detail detail) {
     if (model == nullptr) {
         const std::vector<std::string> names = model_names();
         const std::string hint = did_you_mean(name, names);
-        throw InputError("model", fmt::format("no model '{}'", name),
+        throw InputError("model", fmt::format("unknown model '{}'", name),
                          hint.empty() ? fmt::format("{}", fmt::join(names, ", ")) : hint);
     }
     const auto level = static_cast<std::size_t>(detail);

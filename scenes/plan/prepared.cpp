@@ -163,7 +163,7 @@ Prepared prepare(Scene scene) {
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);
     Weather measured = measured_weather(scene, world);
-    std::vector<Mistake> weather_warnings = weather_warnings(
+    std::vector<Mistake> implausible = weather_warnings(
         measured, world.site, scene.time.start, later(scene.time.start, scene.time.duration),
         scene.file.string() + ": weather.file");
     Weather weather = scene_weather(scene, world, std::move(measured));
@@ -220,7 +220,7 @@ Prepared prepare(Scene scene) {
         notes.push_back(std::move(note));
     }
     std::vector<Mistake> warnings = dem.warnings;
-    warnings.insert(warnings.end(), weather_warnings.begin(), weather_warnings.end());
+    warnings.insert(warnings.end(), implausible.begin(), implausible.end());
     auto light = std::make_shared<const InstantLights>(scene, world, weather);
     scene.files = merged(scene.files, opened.files());
     return {std::move(scene),    std::move(world),

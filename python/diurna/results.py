@@ -135,8 +135,8 @@ class Run:
         return temperatures(self.folder / "temperatures.nc")
 
     def manifest(self) -> dict[str, Any]:
-        """manifest.json: inputs and outputs with their SHA-256, settings, and the `legend` of the planes `object` and
-        `material`: lists of id and name."""
+        """manifest.json as a dictionary: inputs and outputs with their SHA-256, settings, and the `legend` of the planes `object`
+        and `material`: its lists `objects` and `materials` have `id` and `name`."""
         return dict(json.loads((self.folder / "manifest.json").read_text(encoding="utf-8")))
 
     def annotations(self) -> dict[str, Any]:

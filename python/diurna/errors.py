@@ -51,7 +51,7 @@ def _placed(where: str, problem: str, hint: str, key: str | None = None) -> Mist
         key = key or given["rest"].split("=")[0].split(":")[0].strip()
         return Mistake(None, None, None, key, problem, hint, f"settings: {key}")
     if given:
-        name = given["option"].replace("-", "_")
+        name = {"max-memory": "max_memory_bytes"}.get(given["option"], given["option"].replace("-", "_"))
         return Mistake(None, None, None, key or name, problem, hint, f"{name} {given['rest']}".strip())
     at = _in_file.match(where)
     if at:

@@ -155,7 +155,15 @@ class Stepper:
 
     def observer(self, name: str) -> Pose:
         """The camera of an observer as in its first picture, to be changed and given to picture(). Raises diurna.Error."""
-        return _pose_of(self._core.observer(checks.text("name", name)))
+        return _pose_of(self._observer(name))
+
+    def _observer(self, name: str) -> Any:
+        """The compiled observer. Raises diurna.Error with the key `name` for an unknown one."""
+        try:
+            return self._core.observer(checks.text("name", name))
+        except Error as error:
+            one = error.mistakes[0]
+            raise Error([(one.where, one.problem, one.hint, one.key or "name")]) from None
 
     def picture(self, name: str, pose: Pose | None = None) -> Frame:
         """What an observer sees now, in its bands.
@@ -163,5 +171,5 @@ class Stepper:
         name: of an observer of the scene; pose: what observer() returned, changed or not; None: as in its first picture.
         Raises diurna.Error for an unknown observer, for a pose out of range, below the ground or inside an object.
         """
-        observer = self._core.observer(checks.text("name", name)) if pose is None else _observer_of(pose)
+        observer = self._observer(name) if pose is None else _observer_of(pose)
         return Frame(self._core.picture(name, observer))

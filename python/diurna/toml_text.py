@@ -9,8 +9,11 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from .checks import described
 from .errors import Error
+from .tables import instant_text
 
 
 def toml_key(name: Any, where: str = "") -> str:
@@ -23,7 +26,11 @@ def toml_key(name: Any, where: str = "") -> str:
 
 def toml_value(value: Any, where: str) -> str:
     """A value as TOML has it, in one line. Raises diurna.Error with the key `where` for what TOML cannot hold."""
-    if hasattr(value, "tolist"):  # numpy scalars and arrays
+    if isinstance(value, np.datetime64):
+        return instant_text(value, where)
+    if isinstance(value, np.ndarray) and value.dtype.kind == "M":
+        value = list(value)
+    elif hasattr(value, "tolist"):  # numpy scalars and arrays
         value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"

@@ -152,6 +152,11 @@ class OneFacet(unittest.TestCase):
         table = {"a b": 1, "t": {"x": [1.5, 2], "deep": {"y": 'q"\\\n\x7f'}}, "list": [{"n": "é"}, {"n": True}], "e": []}
         self.assertEqual(tomllib.loads(diurna.toml_text(table)), table)
         self.assertEqual(tomllib.loads(diurna.toml_text({"v": np.float64(0.1), "w": np.arange(3)})), {"v": 0.1, "w": [0, 1, 2]})
+        noon = datetime.datetime(2026, 6, 21, 12, tzinfo=datetime.timezone.utc)
+        hours = np.array(["2026-06-21T12:00:00", "2026-06-21T13:00:00"], "datetime64[s]")
+        found = tomllib.loads(diurna.toml_text({"time": {"start": "2026-06-21T12:00:00Z", "a": noon, "b": hours[0], "c": hours}}))
+        self.assertEqual([found["time"][key] for key in ("start", "a", "b")], [noon] * 3)
+        self.assertEqual(found["time"]["c"], [noon, noon + datetime.timedelta(hours=1)])
         self.assertTrue(math.isinf(tomllib.loads(diurna.toml_text({"v": math.inf}))["v"]))
 
 

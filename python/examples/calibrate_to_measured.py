@@ -1,4 +1,4 @@
-"""Which conductivity and albedo has a surface whose temperature was measured? A curve in pandas, with gaps and noise."""
+"""Which albedo does a surface have whose temperature was measured? A curve in pandas, with gaps and noise."""
 
 import pathlib
 
@@ -14,15 +14,18 @@ job = {
     "weather": {"file": sample / "weather.csv", "interval": "instant", "wind_height_m": 10.0},
     "time": {"start": "2026-07-15T00:00:00-04:00", "end": "2026-07-16T00:00:00-04:00", "step_s": 1800.0},
 }
-# What would come from a thermometer: here of a pavement that is lighter than the library's, with a noise of 0.3 K.
+
+# %% In place of a thermometer's data: a pavement lighter than the library's, with noise of 0.3 K and a gap
 truth = diurna.column(job, settings=["material.albedo=0.17"]).frame()["surface_temperature_K"]
 measured = truth + np.random.default_rng(1).normal(0.0, 0.3, len(truth))
 measured.iloc[10:14] = np.nan
 measured = measured.tz_convert("America/New_York")
 
+
+# %% Fit the albedo
 sought = [{"key": "material.albedo", "low": 0.05, "high": 0.4}]
 found = diurna.calibrate({**job, "calibrate": {"sought": sought}}, measured)
 print(found)
 print(found.frame()[["key", "value", "least_95", "most_95"]].to_string())
 curves: pandas.DataFrame = found.curves_frame()
-print(f"measured less found: {(curves['measured_K'] - curves['after_K']).std():.2f} K")
+print(f"measured minus fitted, standard deviation: {(curves['measured_K'] - curves['after_K']).std():.2f} K")

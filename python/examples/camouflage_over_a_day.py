@@ -1,4 +1,4 @@
-"""Which of three paints stands out least from a meadow through a day, and when does each stand out most?"""
+"""Which of three paints has the least contrast to a meadow through a day, and when does each have the most?"""
 
 import pathlib
 import tempfile
@@ -18,6 +18,8 @@ sheets = [
     }
     for i, paint in enumerate(paints)
 ]
+
+# %% A picture each hour, the contrast of each sheet to its background
 with tempfile.TemporaryDirectory() as folder:
     table = meadow(object=sheets, contrast=[{"targets": paints, "name": "paints"}])
     found = diurna.Scene(table, file=pathlib.Path(folder) / "scene.toml").contrast()["paints"]

@@ -1,7 +1,7 @@
-"""What is left of a difference of one kelvin at 300 K behind 1 to 10 km of summer air, in two bands.
+"""How much of a difference of one kelvin at 300 K remains behind 1 to 10 km of summer air, in two bands?
 
-Air lets through most where a band's transmittance is high, so light of a body counts by its own spectrum: the mean
-over wavelength tells more of a difference to be left than there is.
+The mean transmittance of a band overestimates it: a body emits most where the air absorbs. `contrast_transmittance` is
+weighted by the body's own spectrum.
 """
 
 import diurna

@@ -1,4 +1,4 @@
-"""When can bare soil not be told from a pond at 8 to 12 um, for how long, and how much does the wind's error move that?"""
+"""When do bare soil and a pond have the same apparent temperature at 8 to 12 um, and how far does the wind's error shift it?"""
 
 import pathlib
 import tempfile
@@ -6,7 +6,7 @@ import tempfile
 import diurna
 from meadow import meadow, plate
 
-asked = {
+study = {
     "name": "soil",
     "first": "soil",
     "second": "pond",
@@ -14,9 +14,11 @@ asked = {
     "uncertain": [{"key": "weather.changed.wind_factor", "one_sigma": 1.2}],
 }
 with tempfile.TemporaryDirectory() as folder:
-    table = meadow(ground=[plate("soil", "bare_soil", -8.0, 0.0), plate("pond", "water", 8.0, 0.0)], crossover=[asked])
+    table = meadow(ground=[plate("soil", "bare_soil", -8.0, 0.0), plate("pond", "water", 8.0, 0.0)], crossover=[study])
     found = diurna.Scene(table, file=pathlib.Path(folder) / "scene.toml").crossover()["soil"]
 
+
+# %% Each crossing with its standard deviation, and the curve of the difference
 print(found.frame()[["time", "kind", "warmer_after", "slope_K_per_h", "sigma_s"]].to_string())
 difference = found.curves_frame().set_index("time")["difference_K"]
 lost = (difference.abs() < 1.0).mean()

@@ -1,4 +1,4 @@
-"""How warm asphalt, concrete and grass get on a July day: curves of three materials under one weather file."""
+"""How warm do asphalt, concrete and grass get on a July day? Curves of three materials under one weather file."""
 
 import pathlib
 

@@ -1,6 +1,6 @@
-"""What does a radiometer make of a surface's temperature that takes its emissivity for 1, through a day?
+"""How wrong is a radiometer that assumes an emissivity of 1, through a day?
 
-It receives eps B(T) + (1 - eps) of the sky's radiance. How far off is it, and what is left once both are known?
+It receives eps B(T) + (1 - eps) L_sky. The error disappears once emissivity and sky radiance are known.
 """
 
 import pathlib
@@ -20,12 +20,14 @@ day = diurna.column(
     }
 )
 kelvin = day["surface_temperature_K"]
-# The sky in the band: of the whole model of the air, from 55 degrees off the zenith, which stands for its mean.
+# %% The sky in the band, from 55 degrees off the zenith, where its radiance is about the mean of the hemisphere
 sky = diurna.path(band, "MLS", "rural", 23.0, height_km=0.323, zenith_deg=55.0, to_space=True)[band].thermal_W_m2_sr
 received = emissivity * diurna.band_radiance(band, kelvin) + (1 - emissivity) * sky
-taken = diurna.apparent_temperature(band, received)
-mended = diurna.apparent_temperature(band, (received - (1 - emissivity) * sky) / emissivity)
+assumed_black = diurna.apparent_temperature(band, received)
+corrected = diurna.apparent_temperature(band, (received - (1 - emissivity) * sky) / emissivity)
 
-for when, true, black, known in list(zip(day["time"], kelvin, taken, mended))[::3]:
-    print(f"{when}Z: {true:.1f} K; taken for black {black - true:+.2f} K, with emissivity and sky {known - true:+.4f} K")
-print(f"on average {np.mean(taken - kelvin):+.2f} K, in the heat of the day {np.min(taken - kelvin):+.2f} K")
+
+# %% Every third hour
+for when, true, black, known in list(zip(day["time"], kelvin, assumed_black, corrected))[::3]:
+    print(f"{when}Z: {true:.1f} K; assumed black {black - true:+.2f} K, corrected {known - true:+.4f} K")
+print(f"on average {np.mean(assumed_black - kelvin):+.2f} K, at the most {np.min(assumed_black - kelvin):+.2f} K")

@@ -1,4 +1,4 @@
-"""A level meadow on a clear July day as a dictionary, to which the other examples add what they ask about."""
+"""A level meadow on a clear July day as a dictionary. The other examples add objects and studies to it."""
 
 import pathlib
 import tempfile
@@ -9,7 +9,7 @@ samples = pathlib.Path(diurna.data_folder()).parent / "scenes"
 
 
 def plate(name, material, east_m, north_m, size_m=6.0):
-    """A square of another material in it."""
+    """A square of another material in it, at a place of the site [m]."""
     return {
         "name": name,
         "material": material,
@@ -19,7 +19,7 @@ def plate(name, material, east_m, north_m, size_m=6.0):
 
 
 def drone(**more):
-    """A camera that looks down on it."""
+    """A camera that looks straight down on it; keys given by name replace its own."""
     return {
         "name": "drone",
         "place_m": [0.0, 0.0],
@@ -35,7 +35,7 @@ def drone(**more):
 
 
 def meadow(**more):
-    """The scene; tables given by name come in addition or in place of its own."""
+    """The scene; tables given by name are added or replace its own."""
     return {
         "scene": {"name": "meadow"},
         "site": {"latitude_deg": 36.32, "longitude_deg": -84.203333},

@@ -1,4 +1,4 @@
-"""What would a detector of another spectral response see? A cube of 7 to 14 um, weighted afterwards by three responses."""
+"""What would detectors of other spectral responses see? A cube of 7 to 14 um, weighted afterwards by three responses."""
 
 import pathlib
 import tempfile
@@ -19,10 +19,12 @@ with tempfile.TemporaryDirectory() as folder:
     run = diurna.Scene(table, file=pathlib.Path(folder) / "scene.toml").run(pathlib.Path(folder) / "out", fresh=True)
     cube = next(frame for frame in run.frames() if next(iter(frame.planes)).startswith("S0"))
 
-# Channels are called by their wavelength, "S0.009125,000nm", in W m-2 sr-1 nm-1.
+# %% Channels are named by their wavelength, "S0.009125,000nm", in W m-2 sr-1 nm-1.
 wavelength_um = np.array([float(name[3:-2].replace(",", ".")) / 1000 for name in cube.planes])
 radiance = np.stack(list(cube.planes.values()))
 sand, grass = radiance[:, 12, 16], radiance[:, 2, 2]
+
+# %% Three responses
 responses = {
     "flat, 8 to 12 um": ((wavelength_um > 8) & (wavelength_um < 12)).astype(float),
     "bolometer about 10 um": np.exp(-(((wavelength_um - 10.0) / 1.8) ** 2)),

@@ -1,4 +1,4 @@
-"""How do single pixels go through a day? A series of one on asphalt and of one on grass, out of a run's pictures."""
+"""How does a single pixel change through a day? One on asphalt and one on grass, from a run's pictures."""
 
 import pathlib
 import tempfile
@@ -17,7 +17,9 @@ with tempfile.TemporaryDirectory() as folder:
         height, width = kelvin.shape
         rows[frame.instant] = {"asphalt": kelvin[height // 2, width // 2], "grass": kelvin[2, 2]}
 
+
+# %% A table by local time
 series = pandas.DataFrame.from_dict(rows, orient="index").tz_localize("UTC").tz_convert("Etc/GMT+4")
 print(series.iloc[::3].round(2).to_string())
 swing = series.max() - series.min()
-print(f"asphalt goes through {swing['asphalt']:.1f} K, grass through {swing['grass']:.1f} K")
+print(f"the range on asphalt is {swing['asphalt']:.1f} K, on grass {swing['grass']:.1f} K")

@@ -1,4 +1,4 @@
-"""The sample scene of plates in a meadow: what it would take, its pictures up to noon."""
+"""What would a scene cost, and what do its pictures show? The sample scene of plates in a meadow, up to 14 h."""
 
 import pathlib
 import tempfile
@@ -13,6 +13,7 @@ scene = diurna.Scene(sample, settings=["time.duration_h=14", "time.frame_every_s
 plan = scene.plan()
 print(f"{plan['facets']} facets, {plan['pictures']} pictures, {plan['memory_bytes'] / 1e6:.0f} MB")
 
+# %% Run it, and look at each picture
 with tempfile.TemporaryDirectory() as folder:
     run = scene.run(pathlib.Path(folder) / "out")
     print(f"{run.frames_rendered} pictures, {len(run.files)} files")

@@ -1,4 +1,4 @@
-"""From which side does a truck shine most at 8 to 12 um, at night and in the afternoon?"""
+"""In which direction is a truck's radiant intensity at 8 to 12 um highest, at night and in the afternoon?"""
 
 import pathlib
 import tempfile
@@ -14,7 +14,7 @@ truck = {
     "material": "green_paint",
     "parts": {"windows": "glass", "wheels": "rubber"},
 }
-asked = {
+study = {
     "object": "truck",
     "bands": ["8-12"],
     "directions": 42,
@@ -23,9 +23,10 @@ asked = {
     "frames": ["2026-07-15T04:00:00-04:00", "2026-07-15T15:00:00-04:00"],
 }
 with tempfile.TemporaryDirectory() as folder:
-    scene = diurna.Scene(meadow(object=[truck], signature=[asked]), file=pathlib.Path(folder) / "scene.toml")
+    scene = diurna.Scene(meadow(object=[truck], signature=[study]), file=pathlib.Path(folder) / "scene.toml")
     found = scene.signature()["truck"]
 
+# %% The direction of the highest intensity
 for when, rows in found.frame().groupby("time"):
     most = rows.loc[rows["radiant_intensity_W_sr"].idxmax()]
     print(

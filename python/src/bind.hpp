@@ -14,7 +14,7 @@
 #include "scenes/studies/study_request.hpp"
 #include "terrain/place/instant.hpp"
 
-// What the parts of the module share.
+// Conversions that several sources of the module use.
 
 namespace diurna::python {
 
@@ -38,17 +38,18 @@ py::array_t<T> as_array(std::vector<T>&& values) {
 /// Instants as numpy's datetime64[ms], in UTC.
 py::object as_datetimes(const std::vector<Instant>& instants);
 
-/// A scene file. Throws InputError where it is to be swept through: many scenes.
+/// A scene file. Throws InputError where it has a [sweep]: that is many scenes.
 Scene one_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
                 bool allow_outside);
 
-/// A picture's planes by name, as arrays of its height by its width, and what is known of them.
+/// A picture's planes by name, as arrays (row, column), and their units, instant and attributes.
 py::dict as_dict(Frame&& frame);
 
-/// What studies have found: of each its name, the texts of its files, lines and notes.
+/// Results of studies: of each its name, the texts of its files, its printed lines and its notes.
 py::dict as_dict(const StudyFindings& found);
 
 void bind_column(py::module_& module);
+void bind_lists(py::module_& module);
 void bind_point(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_stepper(py::module_& module);

@@ -10,7 +10,7 @@
 #include "thermal/point/point_job_file.hpp"
 #include "thermal/point/run_column.hpp"
 
-// One facet under a weather file, and what is found of it from a measured curve.
+// One facet driven by a weather file, and the calibration of its keys against a measured curve.
 
 namespace diurna::python {
 
@@ -23,7 +23,7 @@ struct ColumnSource {
     std::filesystem::path file;
     std::optional<std::string> text;
     Settings settings;
-    std::vector<std::filesystem::path> folders;  // whose files it may name, too
+    std::vector<std::filesystem::path> folders;  // whose files it may name as well
     bool allow_outside = false;
 
     PointJob job(const Settings& more = {}) const {
@@ -38,8 +38,8 @@ struct ColumnSource {
 };
 
 py::dict column(const ColumnSource& source) {
-    PointResult result =
-        found_by_long_call(py::none(), [&](const ProgressTo&) { return run_column(source.job()); });
+    PointResult result = result_of_long_call(
+        py::none(), [&](const ProgressTo&) { return run_column(source.job()); });
     py::dict columns;
     std::vector<Instant> times;
     for (const PointRow& row : result.row) times.push_back(row.instant);
@@ -78,7 +78,7 @@ py::dict column(const ColumnSource& source) {
 }
 
 py::dict calibrate(const ColumnSource& source, const std::filesystem::path& out) {
-    return as_dict(found_by_long_call(py::none(), [&](const ProgressTo&) {
+    return as_dict(result_of_long_call(py::none(), [&](const ProgressTo&) {
         return calibrate_study(
             {.file = source.file.string(),
              .column_with = [&](const Settings& more) { return source.job(more); },
@@ -89,14 +89,17 @@ py::dict calibrate(const ColumnSource& source, const std::filesystem::path& out)
 }  // namespace
 
 void bind_column(py::module_& module) {
-    py::class_<ColumnSource>(module, "ColumnSource")
+    py::class_<ColumnSource>(module, "ColumnSource", "A column file, or the text of one.")
         .def(py::init([](const std::filesystem::path& file, const std::optional<std::string>& text,
                          const Settings& settings,
                          const std::vector<std::filesystem::path>& folders, bool allow_outside) {
-            return ColumnSource{file, text, settings, folders, allow_outside};
-        }));
-    module.def("column", &column);
-    module.def("calibrate", &calibrate);
+                 return ColumnSource{file, text, settings, folders, allow_outside};
+             }),
+             py::arg("file"), py::arg("text"), py::arg("settings"), py::arg("folders"),
+             py::arg("allow_outside"));
+    module.def("column", &column, "Solves a column; its curves by name.", py::arg("source"));
+    module.def("calibrate", &calibrate, "Calibrates a column; its results as of a study.",
+               py::arg("source"), py::arg("out"));
 }
 
 }  // namespace diurna::python

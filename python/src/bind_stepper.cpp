@@ -4,6 +4,7 @@
 
 #include "python/src/bind.hpp"
 #include "python/src/long_call.hpp"
+#include "python/src/thread_limit.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/stepper.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 using Free = py::call_guard<py::gil_scoped_release>;
 
 py::dict picture_of(Stepper& scene, const std::string& name, const Observer& pose) {
-    return as_dict(found_by_long_call(
+    return as_dict(result_of_long_call(
         py::none(), [&](const ProgressTo&) { return scene.picture(name, pose).frame; }));
 }
 
@@ -44,46 +45,76 @@ py::dict facets_of(const Stepper& scene) {
     return out;
 }
 
+std::vector<std::string> material_names(const Stepper& scene) {
+    return scene.prepared().scene.materials.names();
+}
+
+std::vector<std::string> object_names(const Stepper& scene) {
+    return scene.prepared().world.objects;
+}
+
 }  // namespace
 
 void bind_stepper(py::module_& module) {
-    py::class_<Observer>(module, "Observer", "Pose of a camera: change it and pass it to render().")
-        .def_readonly("name", &Observer::name)
-        .def_readwrite("position_m", &Observer::position, "east, north, up of the site")
-        .def_readwrite("azimuth_deg", &Observer::azimuth_deg)
-        .def_readwrite("elevation_deg", &Observer::elevation_deg)
-        .def_readwrite("roll_deg", &Observer::roll_deg)
-        .def_readwrite("horizontal_fov_deg", &Observer::horizontal_fov_deg)
-        .def_readwrite("width", &Observer::width)
-        .def_readwrite("height", &Observer::height);
-    py::class_<Stepper>(module, "Stepper")
+    py::class_<Observer>(module, "Observer", "Position and direction of a camera.")
+        .def_readonly("name", &Observer::name, "The observer's name in the scene.")
+        .def_readwrite("position_m", &Observer::position, "East, north, up of the site [m].")
+        .def_readwrite("azimuth_deg", &Observer::azimuth_deg,
+                       "Of the line of sight, clockwise from north [deg].")
+        .def_readwrite("elevation_deg", &Observer::elevation_deg,
+                       "Of the line of sight above the horizontal [deg].")
+        .def_readwrite("roll_deg", &Observer::roll_deg, "About the line of sight [deg].")
+        .def_readwrite("horizontal_fov_deg", &Observer::horizontal_fov_deg,
+                       "Horizontal field of view [deg].")
+        .def_readwrite("width", &Observer::width, "Pixels of a row.")
+        .def_readwrite("height", &Observer::height, "Rows.");
+    py::class_<Stepper>(module, "Stepper", "A scene that a program drives.")
         .def(py::init([](const std::filesystem::path& file,
                          const std::vector<std::string>& settings, bool allow_outside) {
-            return found_by_long_call(py::none(), [&](const ProgressTo&) {
-                return std::make_unique<Stepper>(one_scene(file, settings, allow_outside));
-            });
-        }))
-        .def("now", [](const Stepper& s) { return format_instant(s.now()); })
-        .def("advance",
-             [](Stepper& s, const std::string& to) {
-                 long_call(py::none(), [&](const ProgressTo&) { s.advance(parse_instant(to)); });
-             })
+                 return result_of_long_call(py::none(), [&](const ProgressTo&) {
+                     return std::make_unique<Stepper>(one_scene(file, settings, allow_outside));
+                 });
+             }),
+             py::arg("file"), py::arg("settings"), py::arg("allow_outside"))
+        .def(
+            "now", [](const Stepper& s) { return format_instant(s.now()); }, "ISO 8601, UTC.")
+        .def(
+            "advance",
+            [](Stepper& s, const std::string& to) {
+                const Instant instant = parse_instant(to, "to");
+                long_call(py::none(), [&](const ProgressTo&) { s.advance(instant); });
+            },
+            "Solves up to an instant.", py::arg("to"))
         .def(
             "put",
             [](Stepper& s, const std::string& object, double east, double north,
-               double heading_deg) { s.put(object, Eigen::Vector2d(east, north), heading_deg); },
-            Free())
-        .def("pose", [](const Stepper& s,
-                        const std::string& object) { return s.pose(object).matrix().eval(); })
-        .def("temperature",
-             [](Stepper& s) {
-                 return as_array(found_by_long_call(
-                     py::none(), [&](const ProgressTo&) { return s.temperature(); }));
-             })
-        .def("facets", &facets_of)
-        .def("observer", &Stepper::observer)
-        .def("picture", &picture_of)
-        .def_property_readonly("steps_solved", &Stepper::steps_solved);
+               double heading_deg) {
+                const RunningCall running;
+                s.put(object, Eigen::Vector2d(east, north), heading_deg);
+            },
+            Free(), "Puts an object on the ground at a place.", py::arg("name"), py::arg("east_m"),
+            py::arg("north_m"), py::arg("heading_deg"))
+        .def(
+            "pose",
+            [](const Stepper& s, const std::string& object) {
+                return s.pose(object).matrix().eval();
+            },
+            "4 x 4, from the object's frame to the site's.", py::arg("name"))
+        .def(
+            "temperature",
+            [](Stepper& s) {
+                return as_array(result_of_long_call(
+                    py::none(), [&](const ProgressTo&) { return s.temperature(); }));
+            },
+            "[K] (facet) now.")
+        .def("facets", &facets_of, "Mesh, materials and objects of all facets.")
+        .def("material_names", &material_names, "By the numbers of facets().")
+        .def("object_names", &object_names, "By the numbers of facets().")
+        .def("observer", &Stepper::observer, "Pose of an observer in its first picture.",
+             py::arg("name"))
+        .def("picture", &picture_of, "What an observer sees now.", py::arg("name"), py::arg("pose"))
+        .def_property_readonly("steps_solved", &Stepper::steps_solved,
+                               "Steps of the heat balance solved so far.");
 }
 
 }  // namespace diurna::python

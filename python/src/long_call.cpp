@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "materials/base/giving_up.hpp"
+#include "python/src/thread_limit.hpp"
 
 namespace diurna::python {
 
@@ -18,17 +19,17 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr std::chrono::milliseconds between_looks{100};
+constexpr std::chrono::milliseconds longest_wait{100};
 
-struct Messages {
+struct StageShare {
     std::string stage;
     double share = 0.0;
 };
 
-/// What the thread that works and the one that waits say to each other.
-class Desk {
+/// Progress on its way from the thread that works to the one that waits.
+class ProgressQueue {
  public:
-    void tell(const std::string& stage, double share) {
+    void add(const std::string& stage, double share) {
         const std::lock_guard lock(mutex_);
         reported_.push_back({stage, share});
         changed_.notify_one();
@@ -38,24 +39,25 @@ class Desk {
         ended_ = true;
         changed_.notify_one();
     }
-    /// Waits a little; what was reported since, and whether the work has ended.
-    std::pair<std::vector<Messages>, bool> wait() {
+    /// Waits for at most a tenth of a second. Returns what was reported since the last call, and
+    /// whether the work has ended.
+    std::pair<std::vector<StageShare>, bool> wait() {
         std::unique_lock lock(mutex_);
-        changed_.wait_for(lock, between_looks, [&] { return ended_ || !reported_.empty(); });
+        changed_.wait_for(lock, longest_wait, [&] { return ended_ || !reported_.empty(); });
         return {std::exchange(reported_, {}), ended_};
     }
 
  private:
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<Messages> reported_;
+    std::vector<StageShare> reported_;
     bool ended_ = false;
 };
 
-/// Throws what a signal's handler or `progress` raises.
-void look(const py::object& progress, const std::vector<Messages>& reported) {
+/// Calls `progress`, then the handlers of pending signals; throws what either raises.
+void pass_on(const py::object& progress, const std::vector<StageShare>& reported) {
     if (!progress.is_none()) {
-        for (const Messages& one : reported) progress(one.stage, one.share);
+        for (const StageShare& one : reported) progress(one.stage, one.share);
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
@@ -63,34 +65,35 @@ void look(const py::object& progress, const std::vector<Messages>& reported) {
 }  // namespace
 
 void long_call(const py::object& progress, const std::function<void(const ProgressTo&)>& work) {
-    Desk desk;
-    GiveUpRequest unwanted{false};
+    const RunningCall running;
+    ProgressQueue queue;
+    GiveUpRequest stop{false};
     ProgressTo to;
     if (!progress.is_none()) {
-        to = ProgressTo([&](const std::string& stage, double share) { desk.tell(stage, share); });
+        to = ProgressTo([&](const std::string& stage, double share) { queue.add(stage, share); });
     }
     std::exception_ptr thrown, raised;  // by the work; by Python
     std::thread worker([&] {
-        const Heeding heeding(&unwanted);
+        const Heeding heeding(&stop);
         try {
             work(to);
         } catch (...) {
             thrown = std::current_exception();
         }
-        desk.end();
+        queue.end();
     });
     for (bool ended = false; !ended;) {
-        std::vector<Messages> reported;
+        std::vector<StageShare> reported;
         {
             const py::gil_scoped_release free;
-            std::tie(reported, ended) = desk.wait();
+            std::tie(reported, ended) = queue.wait();
         }
-        if (raised) continue;  // until the work has ended
+        if (raised) continue;  // wait for the work to stop
         try {
-            look(progress, reported);
+            pass_on(progress, reported);
         } catch (...) {
             raised = std::current_exception();
-            unwanted = true;
+            stop = true;
         }
     }
     {

@@ -9,23 +9,23 @@
 
 namespace diurna::python {
 
-/// Does work that may take long on a thread of its own and comes back when it is done. Meanwhile
-/// other threads of Python go on, and the caller looks for Ctrl-C ten times a second and reports
-/// `progress`, here and with the interpreter held, of stages and shares. A KeyboardInterrupt, or
-/// what `progress` raises, gives the work up (materials/base/giving_up.hpp) and is raised when it
-/// has ended. Throws what the work throws.
+/// Runs long work on a thread of its own and returns when it has ended. Other threads of Python
+/// run meanwhile. Ten times a second the caller checks for Ctrl-C and passes on the progress
+/// reported since, with the interpreter's lock held. A KeyboardInterrupt, or whatever `progress`
+/// raises, asks the work to stop (materials/base/giving_up.hpp) and is raised once it has. Throws
+/// what the work throws.
 ///
-/// - work: touches nothing of Python
-/// - progress: None or a callable that takes (stage, share)
+/// - progress: None, or a callable that takes (stage, share from 0 to 1)
+/// - work: must not touch Python objects
 void long_call(const pybind11::object& progress,
                const std::function<void(const ProgressTo&)>& work);
 
-/// The same of work that returns something.
+/// The same for work that returns a value.
 template <class Work>
-auto found_by_long_call(const pybind11::object& progress, const Work& work) {
-    std::optional<decltype(work(ProgressTo{}))> found;
-    long_call(progress, [&](const ProgressTo& to) { found.emplace(work(to)); });
-    return std::move(*found);
+auto result_of_long_call(const pybind11::object& progress, const Work& work) {
+    std::optional<decltype(work(ProgressTo{}))> result;
+    long_call(progress, [&](const ProgressTo& to) { result.emplace(work(to)); });
+    return std::move(*result);
 }
 
 }  // namespace diurna::python

@@ -2,10 +2,10 @@
 
 #include "materials/base/data_folder.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/parallel.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/thread_limit.hpp"
 
-// The module diurna._core: what python/diurna makes pleasant.
+// The compiled module diurna._core. python/diurna is its public interface.
 
 namespace diurna::python {
 
@@ -42,17 +42,14 @@ PYBIND11_MODULE(_core, module) {
             python::translate(error);
         }
     });
-    module.def("data_folder", [] { return data_folder().string(); });
+    module.doc() = "The compiled part of diurna; use the package instead.";
     module.def(
-        "set_threads",
-        [](int threads) {
-            if (threads < 0)
-                throw InputError("threads", "found " + std::to_string(threads),
-                                 "expected 0 (one per core) or more");
-            set_thread_count(threads);
-        },
-        py::arg("threads"));
+        "data_folder", [] { return data_folder().string(); },
+        "Folder of the library, spectra and tables.");
+    module.def("set_threads", &python::set_threads, "Worker threads of all later calls.",
+               py::arg("threads"));
     python::bind_column(module);
+    python::bind_lists(module);
     python::bind_point(module);
     python::bind_scene(module);
     python::bind_stepper(module);

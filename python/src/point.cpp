@@ -9,6 +9,8 @@
 #include "materials/base/error.hpp"
 #include "materials/radiation/planck.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/thread_limit.hpp"
+#include "scenes/input/bands.hpp"
 #include "terrain/place/sun.hpp"
 
 // What needs no scene: the sun, a path through the air, Planck's law.
@@ -16,6 +18,11 @@
 namespace diurna::python {
 
 namespace {
+
+/// As an observer of a scene names it: "lwir", "8-12", "8:12".
+Band band_of(const std::string& name, std::span<const double> breakpoints_um = {}) {
+    return named_band({}, band_name({}, name), breakpoints_um);
+}
 
 py::tuple sun(double latitude_deg, double longitude_deg, const std::string& time, double height_m,
               std::optional<double> pressure_hPa, double temperature_C) {
@@ -32,19 +39,21 @@ py::tuple sun(double latitude_deg, double longitude_deg, const std::string& time
     return py::make_tuple(at.azimuth_deg, at.elevation_deg, at.distance_au);
 }
 
-py::object radiance(const std::string& band, py::array_t<double> kelvin) {
-    const Band of = parse_band(band);
-    const auto each = [&](double t) {
-        check_within("temperature", t, 0.0, 20000.0);
-        return band_radiance(of, t);
+py::object radiance(const std::string& band, py::array_t<double> temperature) {
+    const Band of = band_of(band);
+    const auto each = [&](double kelvin) {
+        check_within("temperature_K", kelvin, 0.0, 20000.0);
+        return band_radiance(of, kelvin);
     };
-    return py::vectorize(each)(std::move(kelvin));
+    return py::vectorize(each)(std::move(temperature));
 }
 
 py::object apparent_temperature(const std::string& band, py::array_t<double> radiance) {
-    const Band of = parse_band(band);
+    const Band of = band_of(band);
     const auto each = [&](double value) {
-        if (!std::isfinite(value)) throw InputError("radiance", "found a value that is not finite");
+        if (!std::isfinite(value))
+            throw InputError("radiance", "found a value that is not finite",
+                             "expected numbers in W/m2 sr");
         return brightness_temperature(of, value);
     };
     return py::vectorize(each)(std::move(radiance));
@@ -52,7 +61,7 @@ py::object apparent_temperature(const std::string& band, py::array_t<double> rad
 
 py::list path(const std::vector<std::string>& names, const std::string& profile,
               const std::string& aerosol, double visibility_km, double co2_ppm, double ground_km,
-              double rain_mm_h, const AirPath& way) {
+              double rain_mm_h, const AirPath& air_path) {
     const BandModel model{.profile = named_profile(profile),
                           .aerosol = aerosol,
                           .visibility_km = visibility_km,
@@ -61,11 +70,12 @@ py::list path(const std::vector<std::string>& names, const std::string& profile,
                           .rain_mm_h = rain_mm_h};
     check(model);
     std::vector<Band> bands;
-    for (const std::string& name : names) bands.push_back(parse_band(name, bin_edges_um()));
+    for (const std::string& name : names) bands.push_back(band_of(name, bin_edges_um()));
     std::vector<PathInBand> found;
     {
+        const RunningCall running;
         const py::gil_scoped_release free;
-        found = paths_in_bands(way, model, line_of(way, model), bands);
+        found = paths_in_bands(air_path, model, line_of(air_path, model), bands);
     }
     py::list rows;
     for (const PathInBand& one : found)
@@ -76,10 +86,15 @@ py::list path(const std::vector<std::string>& names, const std::string& profile,
 }  // namespace
 
 void bind_point(py::module_& module) {
-    module.def("sun", &sun);
-    module.def("band_radiance", &radiance);
-    module.def("apparent_temperature", &apparent_temperature);
-    py::class_<AirPath>(module, "AirPath")
+    module.def("sun", &sun, "Azimuth, elevation [deg] and distance [au] of the sun.",
+               py::arg("latitude_deg"), py::arg("longitude_deg"), py::arg("time"),
+               py::arg("height_m"), py::arg("pressure_hPa"), py::arg("temperature_C"));
+    module.def("band_radiance", &radiance, "Radiance of a black body [W m-2 sr-1].",
+               py::arg("band"), py::arg("temperature_K"));
+    module.def("apparent_temperature", &apparent_temperature,
+               "Temperature [K] of the black body of a radiance.", py::arg("band"),
+               py::arg("radiance"));
+    py::class_<AirPath>(module, "AirPath", "Start, direction and end of a path through the air.")
         .def(py::init<>())
         .def_readwrite("height_km", &AirPath::height_km)
         .def_readwrite("zenith_deg", &AirPath::zenith_deg)
@@ -91,7 +106,11 @@ void bind_point(py::module_& module) {
         .def_readwrite("azimuth_from_sun_deg", &AirPath::azimuth_from_sun_deg)
         .def_readwrite("ground_albedo", &AirPath::ground_albedo);
     module.attr("todays_co2_ppm") = todays_co2_ppm;
-    module.def("path", &path);
+    module.def("path", &path,
+               "Of each band: mean transmittance, thermal and scattered radiance [W m-2 sr-1], and "
+               "the transmittance of a small contrast.",
+               py::arg("bands"), py::arg("profile"), py::arg("aerosol"), py::arg("visibility_km"),
+               py::arg("co2_ppm"), py::arg("ground_km"), py::arg("rain_mm_h"), py::arg("air_path"));
 }
 
 }  // namespace diurna::python

@@ -6,6 +6,7 @@
 #include "materials/base/error.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/long_call.hpp"
+#include "python/src/thread_limit.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/cache/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
@@ -17,7 +18,7 @@
 #include "scenes/warnings/scene_warnings.hpp"
 #include "thermal/temperature_field.hpp"
 
-// A scene file: what is wrong with it, what it needs, what comes of it.
+// A scene file: checked, planned, run; the files of its results read.
 
 namespace diurna::python {
 
@@ -26,8 +27,8 @@ Scene one_scene(const std::filesystem::path& file, const std::vector<std::string
     Scene scene = read_scene(file, settings, allow_outside);
     if (!scene.sweep.axes.empty())
         throw InputError(file.string() + ": sweep",
-                         "found a scene with variants, expected a single scene",
-                         "Scene.sweep(out) computes the variants");
+                         "found a scene with [sweep], expected a single scene",
+                         "Scene.sweep(out) runs all variants");
     return scene;
 }
 
@@ -37,7 +38,7 @@ using Settings = std::vector<std::string>;
 
 py::dict check(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                const py::object& progress) {
-    const CheckedScene checked = found_by_long_call(progress, [&](const ProgressTo&) {
+    const CheckedScene checked = result_of_long_call(progress, [&](const ProgressTo&) {
         return check_scene(read_scene(file, settings, allow_outside), settings, allow_outside);
     });
     py::dict out;
@@ -51,7 +52,7 @@ py::dict check(const std::filesystem::path& file, const Settings& settings, bool
 py::dict plan_scene(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                     const py::object& progress) {
     std::string sweep;
-    const Plan plan = found_by_long_call(progress, [&](const ProgressTo&) {
+    const Plan plan = result_of_long_call(progress, [&](const ProgressTo&) {
         Prepared prepared = prepare(read_scene(file, settings, allow_outside));
         if (!prepared.scene.sweep.axes.empty()) {
             sweep = describe(read_sweep_variants(file, settings, allow_outside), prepared.plan);
@@ -83,12 +84,15 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
 
 py::dict run_scene(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                    const std::filesystem::path& out_folder, bool resume, bool fresh,
-                   double max_memory, const py::object& progress) {
-    JobReport report = found_by_long_call(progress, [&](const ProgressTo& to) {
+                   const Settings& only, int threads, double max_memory,
+                   const py::object& progress) {
+    const ThreadsOfCall limit(threads);
+    JobReport report = result_of_long_call(progress, [&](const ProgressTo& to) {
         return run_job(one_scene(file, settings, allow_outside),
                        {.out = out_folder,
                         .settings = settings,
                         .stages = fresh ? nullptr : StageStore::of_user(),
+                        .pictures = {.only = only},
                         .resume = resume,
                         .max_memory = max_memory,
                         .progress = to});
@@ -109,8 +113,9 @@ py::dict run_scene(const std::filesystem::path& file, const Settings& settings, 
 
 py::dict sweep_scene(const std::filesystem::path& file, const Settings& settings,
                      bool allow_outside, const std::filesystem::path& out_folder, bool resume,
-                     double max_memory, const py::object& progress) {
-    const SweepReport report = found_by_long_call(progress, [&](const ProgressTo& to) {
+                     int threads, double max_memory, const py::object& progress) {
+    const ThreadsOfCall limit(threads);
+    const SweepReport report = result_of_long_call(progress, [&](const ProgressTo& to) {
         return run_sweep(
             read_sweep_variants(file, settings, allow_outside),
             {.out = out_folder, .resume = resume, .max_memory = max_memory, .progress = to});
@@ -127,6 +132,7 @@ py::dict sweep_scene(const std::filesystem::path& file, const Settings& settings
 py::tuple temperatures(const std::filesystem::path& file) {
     TemperatureField field;
     {
+        const RunningCall running;
         const py::gil_scoped_release free;
         field = load_temperature_field(file);
     }
@@ -139,6 +145,7 @@ py::tuple temperatures(const std::filesystem::path& file) {
 py::dict frame_of(const std::filesystem::path& file, const std::optional<Settings>& planes) {
     Frame frame;
     {
+        const RunningCall running;
         const py::gil_scoped_release free;
         frame = planes ? read_exr(file, *planes) : read_exr(file);
         for (const std::string& wanted : planes.value_or(Settings{})) {
@@ -151,12 +158,20 @@ py::dict frame_of(const std::filesystem::path& file, const std::optional<Setting
 }  // namespace
 
 void bind_scene(py::module_& module) {
-    module.def("check_scene", &check);
-    module.def("plan_scene", &plan_scene);
-    module.def("run_scene", &run_scene);
-    module.def("sweep_scene", &sweep_scene);
-    module.def("temperatures", &temperatures);
-    module.def("frame", &frame_of);
+    using py::arg;
+    module.def("check_scene", &check, "Facets, observers, warnings and notes of a scene.",
+               arg("file"), arg("settings"), arg("allow_outside"), arg("progress"));
+    module.def("plan_scene", &plan_scene, "What a run would compute.", arg("file"), arg("settings"),
+               arg("allow_outside"), arg("progress"));
+    module.def("run_scene", &run_scene, "Runs a scene; threads below 0: no change.", arg("file"),
+               arg("settings"), arg("allow_outside"), arg("out"), arg("resume"), arg("fresh"),
+               arg("only"), arg("threads"), arg("max_memory_bytes"), arg("progress"));
+    module.def("sweep_scene", &sweep_scene, "Runs all variants of a scene with [sweep].",
+               arg("file"), arg("settings"), arg("allow_outside"), arg("out"), arg("resume"),
+               arg("threads"), arg("max_memory_bytes"), arg("progress"));
+    module.def("temperatures", &temperatures, "Instants, and [K] as (instant, facet).",
+               arg("file"));
+    module.def("frame", &frame_of, "A picture of a run's folder.", arg("file"), arg("planes"));
 }
 
 }  // namespace diurna::python

@@ -5,7 +5,7 @@
 #include "python/src/long_call.hpp"
 #include "scenes/studies/asked_studies.hpp"
 
-// What studies of a scene find, as the texts of their files.
+// Studies of a scene, their results as the texts of their files.
 
 namespace diurna::python {
 
@@ -20,7 +20,7 @@ py::dict as_dict(const StudyFindings& found) {
         py::dict finding;
         finding["name"] = one.name;
         finding["texts"] = texts;
-        finding["told"] = one.reported;
+        finding["text"] = one.reported;
         finding["notes"] = one.notes;
         findings.append(finding);
     }
@@ -37,7 +37,7 @@ py::dict study(const std::string& kind, const std::filesystem::path& file,
                const std::vector<std::string>& settings, bool allow_outside,
                const std::filesystem::path& temperatures, const std::filesystem::path& out,
                const py::object& progress) {
-    return as_dict(found_by_long_call(progress, [&](const ProgressTo& to) {
+    return as_dict(result_of_long_call(progress, [&](const ProgressTo& to) {
         return study_kind(kind).find({.scene = file,
                                       .settings = settings,
                                       .allow_outside = allow_outside,
@@ -49,6 +49,10 @@ py::dict study(const std::string& kind, const std::filesystem::path& file,
 
 }  // namespace
 
-void bind_studies(py::module_& module) { module.def("study", &study); }
+void bind_studies(py::module_& module) {
+    module.def("study", &study, "Results of all tables of one kind of study in a scene.",
+               py::arg("kind"), py::arg("file"), py::arg("settings"), py::arg("allow_outside"),
+               py::arg("temperatures"), py::arg("out"), py::arg("progress"));
+}
 
 }  // namespace diurna::python

@@ -1,4 +1,4 @@
-"""A scene whose figures stand on paper: thin black plates in a vacuum which nothing shines on, so that sigma T^4 = q.
+"""A scene with a closed form: thin black plates in a vacuum without sun, so that sigma T^4 = q.
 
 One has 200 to 400 W/m2 from 6 to 12 h of the scene's clock and back to 200 at 18 h, in a plain with 300 W/m2 all day,
 seen from 60 m above: they cross at 9 and 15 h. (tests/support/heated_plate.hpp has the same for C++.)

@@ -1,4 +1,4 @@
-"""Ctrl-C and progress: long calls end soon, leave nothing torn, and tell how far they are."""
+"""Ctrl-C and progress: long calls end soon, leave whole files only, and report their progress."""
 
 import os
 import pathlib
@@ -117,13 +117,13 @@ class Progress(unittest.TestCase):
         cls.hold.cleanup()
 
     def test_every_stage_begins_and_ends(self):
-        told = []
-        run = self.scene.run(self.folder / "told", fresh=True, progress=lambda *one: told.append((*one, threading.get_ident())))
-        self.assertEqual({thread for *_, thread in told}, {threading.get_ident()})
-        stages = list(dict.fromkeys(stage for stage, *_ in told))
+        reported = []
+        run = self.scene.run(self.folder / "reported", fresh=True, progress=lambda *one: reported.append((*one, threading.get_ident())))
+        self.assertEqual({thread for *_, thread in reported}, {threading.get_ident()})
+        stages = list(dict.fromkeys(stage for stage, *_ in reported))
         self.assertEqual([stage for stage in run.stages if stage in stages], stages)
         for stage in stages:
-            shares = [share for name, share, _ in told if name == stage]
+            shares = [share for name, share, _ in reported if name == stage]
             self.assertEqual((shares[0], shares[-1]), (0, 1))
             self.assertEqual(shares, sorted(shares))
 
@@ -150,4 +150,4 @@ class Progress(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(warnings="ignore")  # the dark scene is doubted, and that is told
+    unittest.main(warnings="ignore")  # the dark scene has warnings

@@ -33,7 +33,7 @@ class Point(unittest.TestCase):
             sun = diurna.sun(39.742476, -105.1786, time, 1830.14, pressure_hPa=820, temperature_C=11)
             self.assertAlmostEqual(sun.azimuth_deg, 194.34024, delta=3e-4)
             self.assertAlmostEqual(90 - sun.elevation_deg, 50.11162, delta=3e-4)
-        with self.assertRaises(ValueError):
+        with self.assertRaisesRegex(diurna.Error, "time: found 2003-10-17 00:00:00 without an offset.*tzinfo"):
             diurna.sun(0, 0, datetime.datetime(2003, 10, 17))
         with self.assertRaisesRegex(diurna.Error, "latitude_deg: found 91"):
             diurna.sun(91, 0, when)
@@ -48,9 +48,14 @@ class Point(unittest.TestCase):
                 self.assertAlmostEqual(found[row, column] / expected, 1, delta=1e-9)
         np.testing.assert_allclose(diurna.apparent_temperature("8-12", found), kelvin, atol=1e-6)
 
+        for name in ("lwir", "LWIR", "8:12"):  # as observers of a scene name it
+            self.assertEqual(diurna.band_radiance(name, 300.0), diurna.band_radiance("8-12", 300.0))
+        with self.assertRaisesRegex(diurna.Error, "did you mean 'lwir'"):
+            diurna.band_radiance("lwr", 300.0)
+
         self.assertIsInstance(diurna.band_radiance("8-12", 300.0), float)
         for wrong in (-3.0, float("nan")):
-            with self.assertRaisesRegex(diurna.Error, "temperature: found"):
+            with self.assertRaisesRegex(diurna.Error, "temperature_K: found"):
                 diurna.band_radiance("8-12", wrong)
 
     def test_path_of_modtran(self):
@@ -138,15 +143,20 @@ class OneFacet(unittest.TestCase):
             diurna.column(plate, bad)
         with self.assertRaisesRegex(ValueError, "one length"):
             diurna.column(plate, {**weather(), "wind_speed_m_s": [1.0]})
-        with self.assertRaisesRegex(TypeError, "DataFrame"):
+        with self.assertRaisesRegex(diurna.Error, "DataFrame"):
             diurna.column(plate, 3)
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(diurna.Error, "found the key 1"):
             diurna.toml_text({1: 2})
 
     def test_toml(self):
         table = {"a b": 1, "t": {"x": [1.5, 2], "deep": {"y": 'q"\\\n\x7f'}}, "list": [{"n": "é"}, {"n": True}], "e": []}
         self.assertEqual(tomllib.loads(diurna.toml_text(table)), table)
         self.assertEqual(tomllib.loads(diurna.toml_text({"v": np.float64(0.1), "w": np.arange(3)})), {"v": 0.1, "w": [0, 1, 2]})
+        noon = datetime.datetime(2026, 6, 21, 12, tzinfo=datetime.timezone.utc)
+        hours = np.array(["2026-06-21T12:00:00", "2026-06-21T13:00:00"], "datetime64[s]")
+        found = tomllib.loads(diurna.toml_text({"time": {"start": "2026-06-21T12:00:00Z", "a": noon, "b": hours[0], "c": hours}}))
+        self.assertEqual([found["time"][key] for key in ("start", "a", "b")], [noon] * 3)
+        self.assertEqual(found["time"]["c"], [noon, noon + datetime.timedelta(hours=1)])
         self.assertTrue(math.isinf(tomllib.loads(diurna.toml_text({"v": math.inf}))["v"]))
 
 

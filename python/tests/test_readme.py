@@ -1,4 +1,4 @@
-"""The example of README.md runs as it stands, on files of the names that it has."""
+"""The example of README.md runs unchanged, on files with the names it uses."""
 
 import contextlib
 import io
@@ -45,14 +45,14 @@ class Readme(unittest.TestCase):
                 axis = [{"key": "observer.drone.horizontal_fov_deg", "values": [20.0, 40.0]}]
                 (folder / "swept.toml").write_text(diurna.toml_text(heated_plate(folder, sweep={"axis": axis})))
                 names = {"data_frame": data_frame, "series": series}
-                with contextlib.redirect_stdout(io.StringIO()) as told:
+                with contextlib.redirect_stdout(io.StringIO()) as printed:
                     exec(compile(example, readme, "exec"), names)
             finally:
                 os.chdir(before)
-        self.assertIn("facets", told.getvalue())
-        self.assertIn("terrain 100%", told.getvalue())
+        self.assertIn("facets", printed.getvalue())
+        self.assertIn("terrain 100%", printed.getvalue())
         self.assertAlmostEqual(names["found"]["plates"].summary["threshold_K"], 1.0)
 
 
 if __name__ == "__main__":
-    unittest.main(warnings="ignore")  # the dark scene is doubted, and that is told
+    unittest.main(warnings="ignore")  # the dark scene has warnings

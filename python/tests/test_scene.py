@@ -1,5 +1,6 @@
 """A scene from a dictionary, its folder read by other programs, and driven step by step."""
 
+import json
 import os
 import pathlib
 import struct
@@ -136,8 +137,80 @@ class SmallScene(unittest.TestCase):
         self.assertEqual(frame["observer.eye.horizontal_fov_deg"].dtype, np.dtype(float))
 
     def test_threads(self):
-        with self.assertRaisesRegex(diurna.Error, "-3"):
+        with self.assertRaisesRegex(diurna.Error, "threads: found -3"):
             diurna.set_threads(-3)
+        alone = self.scene.run(self.folder / "alone", fresh=True, threads=1)
+        np.testing.assert_array_equal(alone.temperatures().kelvin, self.run_.temperatures().kelvin)
+
+        def change(stage, share):  # while a run computes
+            diurna.set_threads(1)
+
+        with self.assertRaisesRegex(diurna.Error, "threads: another call of diurna is running"):
+            self.scene.run(self.folder / "busy", fresh=True, progress=change)
+        diurna.set_threads(0)
+
+    def test_only_some_pictures(self):
+        names = ("frames=02:00..03:00", {"observer": "eye", "frames": "02:00..03:00"}, ["band=8:12", "frames=02:00..03:00"])
+        for number, only in enumerate(names):
+            with self.subTest(only):
+                run = self.scene.run(self.folder / f"only{number}", only=only)
+                hours = [str(frame.instant)[11:16] for frame in run.frames()]
+                self.assertEqual(hours, ["02:00", "03:00"])
+                some = run.frame_files()[0]  # the picture of the whole run
+                np.testing.assert_array_equal(
+                    diurna.read_frame(some)["radiance.8-12"],
+                    diurna.read_frame(self.run_.folder / "frames" / some.name)["radiance.8-12"],
+                )
+        with self.assertRaises(diurna.Error) as caught:
+            self.scene.run(self.folder / "none", only="observer=eyes")
+        self.assertEqual(caught.exception.key, "only")
+        self.assertIn("eye", str(caught.exception))
+
+    def test_tolerance(self):
+        run = self.scene.run(self.folder / "tolerant", tolerance_K=0.5)
+        self.assertEqual(len(run.frame_files()), 6)
+        difference = next(run.frames())["apparent_temperature.8-12"] - next(self.run_.frames())["apparent_temperature.8-12"]
+        self.assertLess(np.sqrt(np.mean(difference**2)), 0.5)
+        self.assertIn("tolerance_K", json.dumps(run.manifest()))
+        with self.assertRaisesRegex(diurna.Error, "tolerance_K: found 20"):
+            self.scene.run(self.folder / "tolerant", tolerance_K=20)
+
+    def test_weather_from_a_table(self):
+        time = np.datetime64("2026-06-20T12:00:00") + np.arange(49) * np.timedelta64(1, "h")
+        table = {"time": time, "air_temperature_K": np.full(49, 270.0), "wind_speed_m_s": 2.0, "relative_humidity": 0.5}
+        with self.assertRaisesRegex(diurna.Error, "wind_speed_m_s"):  # a number is no column
+            diurna.Scene(self.scene.file, weather=table)
+        table.update({name: np.full(49, table[name]) for name in ("wind_speed_m_s", "relative_humidity")})
+        cold = diurna.Scene(self.scene.file, weather=table)
+        colder = cold.run(self.folder / "cold", only="frames=03:00").temperatures().kelvin
+        self.assertLess(colder.mean(), self.run_.temperatures().kelvin.mean() - 5)
+        files = sorted(self.folder.glob("scene.weather-*.csv"))
+        self.assertEqual(len(files), 1)
+        diurna.Scene(self.scene.file, weather=table)  # the same content, the same file
+        self.assertEqual(sorted(self.folder.glob("scene.weather-*.csv")), files)
+        try:
+            import pandas
+        except ImportError:
+            return
+        frame = pandas.DataFrame(table).set_index("time").tz_localize("UTC").tz_convert("America/Denver")
+        again = diurna.Scene(self.scene.file, weather=frame).run(self.folder / "again", only="frames=03:00")
+        np.testing.assert_array_equal(again.temperatures().kelvin, colder)
+        with self.assertRaises(diurna.Error) as caught:
+            diurna.Scene(self.scene.file, weather=frame.tz_localize(None))
+        self.assertEqual(caught.exception.key, "weather.time")
+        frame["air_temperature_K"] -= 273.15
+        with self.assertRaisesRegex(diurna.Error, r"scene.weather-\w+.csv:2:.*lies between 100 and 400"):
+            diurna.Scene(self.scene.file, weather=frame).check()
+
+    def test_a_layer_of_a_library_material(self):
+        settings = {"material.grass.layers.0.thickness_m": 0.02, "material.brick.layers.0.conductivity_W_mK": 0.7}
+        changed = diurna.Scene(self.scene.file, settings=settings)
+        changed.check()
+        kelvin = changed.run(self.folder / "layers", only="frames=03:00").temperatures().kelvin
+        self.assertGreater(np.abs(kelvin - self.run_.temperatures().kelvin).max(), 0.1)
+        with self.assertRaises(diurna.Error) as caught:
+            diurna.Scene(self.scene.file, settings=["material.grass.layers.0.thickness_m=-1"]).check()
+        self.assertIn("thickness_m", caught.exception.key)
 
     def test_others_ran_meanwhile(self):
         self.assertGreater(self.counted, 20)
@@ -153,6 +226,19 @@ class SmallScene(unittest.TestCase):
             np.testing.assert_array_equal(found.kelvin, file[name][:].filled(np.nan))
         self.assertEqual(found.time[0], np.datetime64("2026-06-21T00:00:00"))
         self.assertFalse(found.kelvin.flags.owndata)
+
+    def test_temperatures_in_xarray(self):
+        try:
+            import xarray
+        except ImportError:
+            self.skipTest("xarray is not here")
+        found = self.run_.temperatures()
+        array = found.xarray()
+        self.assertIsInstance(array, xarray.DataArray)
+        self.assertEqual(array.dims, ("time", "facet"))
+        self.assertEqual(array.attrs["units"], "K")
+        np.testing.assert_array_equal(array.sel(time="2026-06-21T03:00:00").values, found.kelvin[list(found.time).index(np.datetime64("2026-06-21T03:00:00"))])
+        self.assertIsInstance(next(self.run_.frames()).xarray(), xarray.Dataset)
 
     def test_frames_as_another_reader_has_them(self):
         frames = list(self.run_.frames())
@@ -201,6 +287,18 @@ class SmallScene(unittest.TestCase):
         far = stepper.picture("eye", pose)
         self.assertGreater(np.nanmedian(far["range"]), np.nanmedian(near["range"]) + 50)
         with self.assertRaises(diurna.Error):
+            stepper.advance("2026-06-21T01:00:00Z")
+        self.assertEqual(stepper.material_names[facets["material"][0]], "grass")
+        self.assertIn("crate", [stepper.object_names[i] for i in set(facets["object"])])
+        pose.elevation_deg = 91.0
+        with self.assertRaisesRegex(diurna.Error, "pose.elevation_deg: found 91"):
+            stepper.picture("eye", pose)
+
+    def test_stepper_closes(self):
+        with self.scene.stepper() as stepper:
+            stepper.advance(np.datetime64("2026-06-21T00:30:00"))
+            self.assertGreater(stepper.steps_solved, 0)
+        with self.assertRaisesRegex(diurna.Error, "stepper: found one that is closed"):
             stepper.advance("2026-06-21T01:00:00Z")
 
 

@@ -270,4 +270,4 @@ class OfAColumn(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(warnings="ignore")  # the dark scene is doubted, and that is told
+    unittest.main(warnings="ignore")  # the dark scene has warnings

@@ -126,7 +126,7 @@ class OfPandas(unittest.TestCase):
         self.assertEqual(len(daily), 5)
 
     def test_what_is_no_table(self):
-        with self.assertRaisesRegex(TypeError, "weather: found list"):
+        with self.assertRaisesRegex(diurna.Error, "weather: found list"):
             surface([1, 2])
         with self.assertRaisesRegex(ValueError, "row 0"):  # an index that is no instants
             surface(self.table().reset_index(drop=True))

@@ -100,11 +100,9 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
                                      escaped(decision.why)));
     }
     return out +
-           "</table>
-<p class=\"key\">These errors are of different kinds and do not add up. The "
+           "</table>\n<p class=\"key\">These errors are of different kinds and do not add up. The "
            "error from the time step is not estimated in a run; the notes give limits for omitted "
-           "effects.</p>
-";
+           "effects.</p>\n";
 }
 
 std::string timings_table(const JobReport& report) {

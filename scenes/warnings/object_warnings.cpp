@@ -229,12 +229,13 @@ void warn_of_stands(const Prepared& prepared, const std::vector<Body>& bodies,
             const bool goes = !object.trajectory.empty();
             // Sheets hang or stand on posts that nobody models.
             if (!goes && body.closed && stand->highest > std::max(0.5, height)) {
-                warnings.push_back({where,
-                                    fmt::format("is {:.1f} m above the surface below it, more than "
-                                                "its own height of {:.1f} m",
-                                                stand->highest, height),
-                                    "height_above_ground_m = 0 places it on the ground; "
-                                    "airspeed_m_s declares that it flies"});
+                warnings.push_back(
+                    {where,
+                     fmt::format("floats {:.1f} m above the surface below it, more than "
+                                 "its own height of {:.1f} m",
+                                 stand->highest, height),
+                     "height_above_ground_m = 0 places it on the ground; "
+                     "airspeed_m_s declares that it flies"});
             } else if (stand->deepest > std::max(0.3, 0.5 * height) &&
                        (object.stands.over != HeightOver::ground || object.stands.metres < 0.0)) {
                 // Of all others stand_warnings() says how deep they are, and how high.

@@ -60,7 +60,7 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
         const double percent = 100.0 * double(dem.voids) / double(dem.height.size());
         throw InputError(
             dem.source,
-            fmt::format("{} ({:.2g} %) without elevation", number_of(dem.voids, "post"), percent),
+            fmt::format("no elevation at {} ({:.2g} %)", number_of(dem.voids, "post"), percent),
             "voids = \"fill\" interpolates them");
     }
     Grid grid{dem.columns, dem.rows, std::move(dem.height)};

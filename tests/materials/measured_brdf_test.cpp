@@ -211,7 +211,7 @@ TEST_CASE("a BRDF that cannot be is refused in one line", "[materials][brdf]") {
         return refusal(path);
     };
     CHECK_THAT(reported(table([](double, double, double) { return 0.4; })),
-               Catch::Contains("own.csv: sends back 1.257 of the light at 0 deg"));
+               Catch::Contains("own.csv: reflects 1.257 of the light at 0 deg"));
     CHECK_THAT(reported(table([](double i, double, double) { return 0.1 + 0.001 * i; })),
                Catch::Contains("not reciprocal"));
     CHECK_THAT(
@@ -222,7 +222,7 @@ TEST_CASE("a BRDF that cannot be is refused in one line", "[materials][brdf]") {
                Catch::Contains("own.csv:2:"));
     const auto merl = folder.path / "short.binary";
     write_whole_file(merl, std::string("short"));
-    CHECK_THAT(refusal(merl), Catch::Contains("no MERL BRDF"));
+    CHECK_THAT(refusal(merl), Catch::Contains("not a MERL BRDF"));
     CHECK_THAT(refusal(folder.path / "own.dat"), Catch::Contains("expected a .binary"));
 }
 

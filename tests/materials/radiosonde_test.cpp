@@ -216,9 +216,9 @@ TEST_CASE("a sounding of the Integrated Global Radiosonde Archive is read",
     CHECK(sample_of(p, 1).vapour_pressure_hPa() == Approx(2.87).epsilon(0.01));
     std::string second = first;
     second.replace(second.find("07 15 00"), 8, "07 15 12");
-    CHECK_THROWS_WITH(read_radiosonde(file_with(first + second)),
-                      Catch::Contains("holds 2 soundings") &&
-                          Catch::Contains("sounding_time = \"2018-07-15T12\""));
+    CHECK_THROWS_WITH(
+        read_radiosonde(file_with(first + second)),
+        Catch::Contains("has 2 soundings") && Catch::Contains("sounding_time = \"2018-07-15T12\""));
     const auto both = file_with(first + second);
     CHECK(read_radiosonde(both, "US76", "2018-07-15T12").height_km[0] == Approx(0.180));
     CHECK_THROWS_WITH(read_radiosonde(both, "US76", "2018-07-16T00"),

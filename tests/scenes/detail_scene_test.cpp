@@ -232,7 +232,7 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     fine.height[7000] = std::nanf("");
     place.write(fine);
     CHECK(place.refusal(detail_table)
-              .find("fine.tif: 1 post (0.0031 %) without elevation (voids = \"fill\" interpolates "
+              .find("fine.tif: no elevation at 1 post (0.0031 %) (voids = \"fill\" interpolates "
                     "them") != std::string::npos);
     {
         const Prepared filled =
@@ -245,7 +245,7 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     fine.transform[0] += 1e5;
     place.write(fine);
     const std::string outside = place.refusal(detail_table);
-    CHECK(outside.find("fine.tif: lies wholly outside ") != std::string::npos);
+    CHECK(outside.find("fine.tif: is entirely outside ") != std::string::npos);
     CHECK(outside.find("coarse.tif") != std::string::npos);
     CHECK(std::count(outside.begin(), outside.end(), '\n') == 0);
 

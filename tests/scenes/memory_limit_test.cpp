@@ -26,9 +26,9 @@ TEST_CASE("a plan that needs more memory than there is is refused before anythin
     const auto file = folder.path / "scene.toml";
     write_text(file, small_scene());
     const auto out = folder.path / "out";
-    CHECK_THROWS_WITH(
-        run_job(read_scene(file, {}, true), {.out = out, .max_memory = 50e6}),
-        Catch::Contains("--max-memory: the plan needs 0.") && Catch::Contains("may have 0.1 GB"));
+    CHECK_THROWS_WITH(run_job(read_scene(file, {}, true), {.out = out, .max_memory = 50e6}),
+                      Catch::Contains("--max-memory: the plan needs 0.") &&
+                          Catch::Contains("--max-memory permits 0.1 GB"));
     CHECK_FALSE(std::filesystem::exists(out));
     Plan plan;
     plan.steps.resize(2);

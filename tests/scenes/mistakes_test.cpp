@@ -94,9 +94,10 @@ const std::vector<Ran>& answers() {
 
 std::string page() {
     std::string text =
-        "# Mistakes and answers\n\nEach is made in a small scene that is right otherwise, and "
-        "stands beside what the program says of it; tests/scenes/mistakes_test.cpp holds this "
-        "page. Mistakes end with exit code 2 before anything is written; warnings do so with "
+        "# Mistakes and answers\n\nEach mistake is made in a small scene without other mistakes; "
+        "the second column is the "
+        "program's message. tests/scenes/mistakes_test.cpp compares this page with the program. "
+        "Mistakes end with exit code 2 before anything is written; warnings do so with "
         "`check --strict`.\n";
     auto reported = answers().begin();
     for (const Group& group : all_mistakes()) {
@@ -120,7 +121,7 @@ TEST_CASE("a scene without a mistake is fine", "[scenes][mistakes]") {
     const Ran whole = answer({"nothing", {}, nullptr, {}});
     INFO(whole.out);
     CHECK(whole.code == 0);
-    CHECK(whole.out.find("scene.toml: fine, ") != std::string::npos);
+    CHECK(whole.out.find("scene.toml: no warnings, ") != std::string::npos);
 }
 
 TEST_CASE("each mistake gets one line, with its place and what mends it", "[scenes][mistakes]") {
@@ -132,7 +133,7 @@ TEST_CASE("each mistake gets one line, with its place and what mends it", "[scen
             INFO(mistake.what << ": " << mistake.command << "\n" << reported.out);
             CHECK(reported.code == mistake.code);
             if (mistake.where == nullptr) {
-                CHECK(reported.out.find("scene.toml: fine, ") != std::string::npos);
+                CHECK(reported.out.find("scene.toml: no warnings, ") != std::string::npos);
                 continue;
             }
             const std::string line = reported_line(mistake, reported.out);

@@ -101,10 +101,10 @@ TEST_CASE("what Slurm cannot be told is refused before anything is written", "[s
     write_text(place.inner / "scene.toml", small_scene());
     for (const auto& [options, expected] : {
              std::pair{"--shards 5 --out out --scripts jobs",
-                       "--shards: found 5, expected 4 at most"},
+                       "--shards: found 5, expected at most 4"},
              {"--shards 0 --out out --scripts jobs", "--shards"},
              {"--shards 2 --out out --scripts bin", "exists and is not empty"},
-             {"--shards 2 --out out --scripts '50% done'", "cannot have"},
+             {"--shards 2 --out out --scripts '50% done'", "cannot contain"},
              {"--shards 2 --out bin --scripts jobs", "holds files that are not results of a run"},
          }) {
         const Ran refused =

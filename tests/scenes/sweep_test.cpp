@@ -398,7 +398,7 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
     CHECK(reported.starts_with(place(":14: observer[0].samples: found -1")));
     CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("cannot change a sweep") !=
           std::string::npos);
-    CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are 2") !=
+    CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are only 2") !=
           std::string::npos);
     CHECK(lines_of(folder, axis("scene.seed", "[]")).find("at least one value") !=
           std::string::npos);

@@ -220,7 +220,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     CHECK_THAT(reported(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
                Contains("outside the span of [time]"));
     CHECK_THAT(reported(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
-               Contains("3 or more"));
+               Contains("at least 3"));
     // Below the ground, with the instant.
     CHECK_THAT(reported(with(aimed, "[0.0, 0.0, 500.0]]", "[900.0, 900.0, 50.0]]")),
                Contains("below the terrain") && Contains("at 2026"));
@@ -232,9 +232,9 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     // Columns that contradict each other, that nobody reads, or that are there twice.
     const std::string rows = "\n0,0,0,900,0\n9,0,0,900,9\n";
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,time" + rows),
-               Contains("'time' and 'time_s', expected one"));
+               Contains("'time' and 'time_s', expected only one"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,latitude_deg" + rows),
-               Contains("'east_m' and 'latitude_deg', expected one"));
+               Contains("'east_m' and 'latitude_deg', expected only one"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,headng_deg" + rows),
                Contains("unknown column 'headng_deg'") && Contains("heading_deg"));
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,height_m" + rows),
@@ -248,7 +248,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     const std::string resting =
         with(with(aimed, "[0.0, 0.0, 500.0]]", "[-2000.0, -2000.0, 900.0]]"),
              "times_s = [0.0, 40.0]", "speed_m_s = 50.0");
-    CHECK_THAT(reported(resting), Contains("waypoints_m") && Contains("another place"));
+    CHECK_THAT(reported(resting), Contains("waypoints_m") && Contains("constant speed"));
     CHECK(lines(reported(resting)) == 1);
     const std::string beside =
         with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
@@ -281,9 +281,9 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
         "height_above_ground_m = 40.0\n" +
         camera;
     CHECK_THAT(reported(still + "look_at_m = [0.0, 9e5]\n"),
-               Contains("observer[0].look_at_m: ") && Contains("lies outside"));
+               Contains("observer[0].look_at_m: ") && Contains("is outside"));
     CHECK_THAT(reported(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
-               Contains("observer[0].place_m: ") && Contains("lies outside"));
+               Contains("observer[0].place_m: ") && Contains("is outside"));
     CHECK_THAT(
         reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
         Contains("velocity_m_s: is zero"));

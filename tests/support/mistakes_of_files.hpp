@@ -155,7 +155,7 @@ inline std::vector<NaturalMistake> mistakes_of_elevation() {
         return swap("dem.asc", from, to);
     };
     return {
-        {"elevation whose CRS nobody tells",
+        {"elevation without a CRS",
          {without("dem.prj")},
          "dem.asc",
          {"has no coordinate reference system", ".prj"}},

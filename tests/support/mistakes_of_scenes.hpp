@@ -144,7 +144,7 @@ inline std::vector<NaturalMistake> mistakes_of_scenes() {
         {"an end beside a duration",
          {in_scene("duration_h = 24.0", "duration_h = 24.0\nend = 2026-07-16T00:00:00-04:00")},
          "scene.toml:33:7: time.end",
-         {"one of the two"}},
+         {"cannot be combined with"}},
         {"a start without its offset",
          {in_scene("00:00:00-04:00", "00:00:00")},
          "scene.toml:31:9: time.start",

@@ -192,8 +192,8 @@ TEST_CASE("at its border a detail has the coarse raster's heights", "[terrain][d
     lay_detail(dem, fine, {.tolerance = 0.05, .blend = 30.0});
     REQUIRE(dem.notes.size() == 1);
     CHECK(dem.notes.front() ==
-          "fine.tif: lies 25.0 m above coarse.tif where it is blended into it (median): have the "
-          "two the same vertical_datum and height_unit?");
+          "fine.tif: is 25.0 m above coarse.tif in the blending strip (median): check "
+          "vertical_datum and height_unit of both");
 
     const GroundMesh mesh = ground_mesh(dem, 1.0);
     check_whole(dem, mesh);
@@ -352,10 +352,11 @@ TEST_CASE("a measured model lies in a coarse one", "[terrain][detail][samples]")
 TEST_CASE("what cannot be a detail is refused in one line", "[terrain][detail][stress]") {
     Dem holed = sampled(fine_raster(), surface);
     holed.height[5000] = std::nanf("");
-    CHECK(refusal(holed) ==
-          "fine.tif: has posts without elevation; a detail has none (voids = \"fill\")");
+    CHECK(
+        refusal(holed) ==
+        "fine.tif: has posts without elevation, which a detail cannot have (set voids = \"fill\")");
     CHECK(refusal(sampled(fine_raster(500000.0, 6398550.0), surface)) ==
-          "fine.tif: lies wholly outside coarse.tif");
+          "fine.tif: is entirely outside coarse.tif");
     CHECK(refusal(sampled(fine_raster(676000.0, 6399000.0, 21, 90.0), surface))
               .find("fine.tif: has posts 90 m apart, coarse.tif 30.9 m; a detail must be finer") ==
           0);

@@ -71,7 +71,8 @@ TEST_CASE("what holds no shapes is refused in one line", "[terrain][land_cover][
     };
     const auto good = file("shapes.geojson", two_shapes);
     CHECK(refusal(good, "user").find("use") != std::string::npos);
-    CHECK(refusal(good.parent_path() / "none.gpkg", "").find("no such file") != std::string::npos);
+    CHECK(refusal(good.parent_path() / "none.gpkg", "").find("the file does not exist") !=
+          std::string::npos);
     CHECK(refusal(file("broken.geojson", "{\"type\":"), "").find("cannot be read") !=
           std::string::npos);
     CHECK(refusal(file("not.shp", "hello"), "").find("cannot be read") != std::string::npos);

@@ -251,7 +251,7 @@ TEST_CASE("a start of which nothing better is known says so", "[thermal][span][s
     options.wanted = {options.start, options.end};
     const StartError repeated = measure_start(input, options);
     CHECK(repeated.against == StartError::Against::nothing);
-    CHECK(reported(repeated).find("not known") != std::string::npos);
+    CHECK(reported(repeated).find("not included") != std::string::npos);
     options.begin = SpanStart::steady;  // at midnight the day's mean is far too warm
     const StartError steady = measure_start(input, options);
     CHECK(steady.against == StartError::Against::repeated_day);
@@ -296,7 +296,7 @@ TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span
                       Catch::Contains("'roof: 2 m' there is 'roof: 1 m' here"));
     std::ofstream(folder.path / "text.nc") << "not a state file";
     CHECK_THROWS_WITH(load_heat_state(folder.path / "text.nc", owner),
-                      Catch::Contains("text.nc: is no netCDF file"));
+                      Catch::Contains("text.nc: is not a netCDF file"));
     std::filesystem::resize_file(folder.path / "state.nc", 2000);
     CHECK_THROWS_AS(load_heat_state(folder.path / "state.nc", owner), InputError);
 }

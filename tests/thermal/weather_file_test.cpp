@@ -103,7 +103,7 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
     CHECK(has(
         message_of(file, epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110")),
                    {.interval = Stamp::start, .where = "s.toml:3:1: weather.interval"}),
-        "weather.interval: found 'start', but stamps of EPW files are 'end'"));
+        "weather.interval: found 'start', but the stamps of EPW files mean 'end'"));
     // A byte order mark is no content.
     const std::string one = epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110"));
     CHECK(message_of(file, "\xEF\xBB\xBF" + one) == "");

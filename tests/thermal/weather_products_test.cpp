@@ -113,7 +113,7 @@ TEST_CASE("PVGIS' series of hours has its sunlight of the horizontal",
     CHECK(has(message_of(file, tilted), "series.csv:7: found 'Slope: 38 deg."));
     CHECK(has(message_of(file, pvgis_series("", "time,G(i),H_sun,T2m,WS10m,Int",
                                             "20180708:1010,690.0,62.0,23.0,3.0,0.0\n")),
-              "is not known"));
+              "is unknown"));
 }
 
 TEST_CASE("sums since midnight of ERA5-Land are taken apart into hours",

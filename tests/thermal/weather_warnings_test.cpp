@@ -147,7 +147,7 @@ TEST_CASE("units that are not a column's are refused with the one they look like
     using diurna::testing::has;
     CHECK(has(diurna::testing::message_of(folder.path / "w.csv",
                                           "time,air_temperature_K\n2024-06-01T00:00:00Z,21.5\n"),
-              "set it in [weather.columns], as \"air_temperature degC\""));
+              "declare it in [weather.columns] as \"air_temperature degC\""));
     CHECK(has(says("relative_humidity", 65.0), "\"relative_humidity %\""));
     CHECK(has(says("cloud_fraction", 7.0), "\"cloud_fraction okta\""));
     CHECK(has(says("shortwave_down_W_m2", 1800000.0), "\"shortwave_down J/m2\""));

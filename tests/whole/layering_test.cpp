@@ -121,6 +121,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/doctor_command.cpp",
       "scenes/commands/export_command.cpp",
       "scenes/commands/inspect_command.cpp",
+      "scenes/commands/help_page.cpp",
       "scenes/commands/keys_command.cpp",
       "scenes/commands/materials_command.cpp",
       "scenes/commands/model_command.cpp",

@@ -63,7 +63,7 @@ void column_verb(const ColumnArguments& a) {
     if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     if (result.converged) return;
     throw std::runtime_error(fmt::format(
-        "the spin-up did not converge in {} passes: periodic to {:.1e} K (limit {:.0e} K), water "
+        "the spin-up has not converged in {} passes: periodic to {:.1e} K (limit {:.0e} K), water "
         "on the surface periodic to {:.1e} mm (limit {:.0e} mm); reduce time.longest_step_s, or "
         "set time.spin_up = \"none\" with an earlier time.start",
         result.passes, result.periodic_residual, periodic_tolerance, result.standing_residual,

@@ -79,15 +79,15 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
         CHECK(text.find(part) != std::string::npos);
     };
     has(reported("copies = [[0.0, 0.0, 0.0]]\nplace_m = [0.0, 0.0]"),
-        "place_m: stands beside copies");
+        "place_m: cannot be combined with copies");
     has(reported("copies = [[0.0, 0.0, 500.0]]"), "found heading_deg 500");
     const std::string turned = reported("copies = [[0.0, 0.0, 500.0]]");
     CHECK(turned.find("toml:") == turned.rfind("toml:"));
     has(reported("copies = [[0.0, 0.0]]"), "copies");
     has(reported("copies = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 0.0, 90.0]]"),
-        "copies: two copies stand at east 0 m, north 0 m");
+        "copies: two copies have the place east 0 m, north 0 m");
     has(reported("copies = [[9000.0, 0.0, 0.0]]"), "crate_0001");
-    has(reported("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: stands without");
+    has(reported("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: needs copies");
 
     has(reported("copies_file = \"none.csv\""), "no such file");
     has(reported("copies = [[0.0, 0.0, 0.0]]\n[[object.part]]\nname = \"*\"\n[[object.contact]]\n"
@@ -95,7 +95,8 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
         "contact with the ground");
     const std::string texture =
         "\n[[texture]]\nname = \"worn\"\nstd = 0.01\ncorrelation_length_m = 1.0\n";
-    has(reported("copies = [[0.0, 0.0, 0.0]]\ntexture = \"worn\"" + texture), "texture: not on an");
+    has(reported("copies = [[0.0, 0.0, 0.0]]\ntexture = \"worn\"" + texture),
+        "texture: not available for an");
     has(mistakes_of(folder.path, "[[object]]\nname = \"crate\"\ncopies = [[0.0, 0.0, 0.0]]\n" +
                                      with(about_crate, "painted_sheet", "rusty") +
                                      "[material.rusty]\nlike = \"painted_sheet\"\n"

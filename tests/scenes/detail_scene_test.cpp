@@ -245,7 +245,7 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     fine.transform[0] += 1e5;
     place.write(fine);
     const std::string outside = place.refusal(detail_table);
-    CHECK(outside.find("fine.tif: lies wholly outside ") != std::string::npos);
+    CHECK(outside.find("fine.tif: is entirely outside ") != std::string::npos);
     CHECK(outside.find("coarse.tif") != std::string::npos);
     CHECK(std::count(outside.begin(), outside.end(), '\n') == 0);
 

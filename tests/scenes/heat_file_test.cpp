@@ -225,5 +225,5 @@ TEST_CASE("materials, objects and clocks can be told from the file", "[scenes][h
     CHECK(solar[noon] == Approx(16.0 - 84.203333 / 15.0 - 5.9 / 60.0).margin(0.005));
     // A file of temperatures is none to go on from.
     CHECK_THROWS_WITH(load_heat_state(folder.path / "temperatures.nc", {}),
-                      Catch::Contains("temperatures.nc: is no state of a run"));
+                      Catch::Contains("temperatures.nc: is not a state file of a run"));
 }

@@ -152,7 +152,7 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
         {"[instrument]\nband = \"8-12\"\n", "unknown band \"8-12\""},
         {"[instrument]\noptics = { f_numbr = 2.0 }\n", "did you mean 'f_number'?"},
         {"[instrument]\noptics = { transmission_curve = [[8.0, 0.9], [12.0, 0.9]] }\n",
-         "no response in the band 3-5"},
+         "no light of the band 3-5"},
         {"[instrument]\nblur = { turbulence_cn2 = 1e-14 }\n", "turbulence_range_m"},
         {"[instrument]\ndetector = { netd_mK = 20.0, read_noise = 3.0 }\n",
          "cannot be combined with"},

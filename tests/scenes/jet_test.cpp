@@ -350,9 +350,9 @@ TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
     CHECK(reported(from_above).empty());
     const std::string both =
         reported(std::string(from_above) + "flow_kg_s = 0.1\nlump = \"gas\"\n");
-    CHECK(both.find("speed_m_s: expected either this or flow_kg_s") != std::string::npos);
-    CHECK(both.find("temperature_K: expected either this or lump") != std::string::npos);
-    CHECK(both.find("no 'gas' in this object") != std::string::npos);
+    CHECK(both.find("speed_m_s: expected exactly one of this and flow_kg_s") != std::string::npos);
+    CHECK(both.find("temperature_K: expected exactly one of this and lump") != std::string::npos);
+    CHECK(both.find("unknown 'gas' in this object") != std::string::npos);
     CHECK(reported("outlet = [0, 0]\ndirection = [0, 0, 0]\ndiameter_m = 0.1\nspeed_m_s = "
                    "1\ntemperature_K = 400.0\n")
               .find("only zeros") != std::string::npos);
@@ -362,7 +362,7 @@ TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
     CHECK(reported("outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nflow_kg_s = "
                    "100.0\ntemperature_K = 500.0\n")
               .find("expected at most 250 m/s: 1.39 kg/s") != std::string::npos);
-    CHECK(reported(std::string(from_above) + "hours = []\n").find("hours: found none") !=
+    CHECK(reported(std::string(from_above) + "hours = []\n").find("hours: found no hours") !=
           std::string::npos);
     CHECK(
         reported(std::string(from_above) + "hours = [\"06:00-07:00 2\"]\n").find("share 0 to 1") !=

@@ -227,7 +227,7 @@ TEST_CASE("what is left out of a file of buildings is told", "[scenes][land][bui
     const std::string crossed =
         "[-84.200,36.320],[-84.199,36.321],[-84.199,36.320],[-84.200,36.321]";
     CHECK_THROWS_WITH(build(feature("6", 0.002) + "," + feature("6", 0.0, crossed)),
-                      Catch::Contains("houses.geojson: feature 2: its plan crosses itself"));
+                      Catch::Contains("houses.geojson: feature 2: its plan intersects itself"));
 }
 
 TEST_CASE("heights follow the unit and the datum that the scene names", "[scenes][land]") {

@@ -279,7 +279,7 @@ TEST_CASE("places that are none, or not what they seem, are told", "[scenes][pla
     CHECK_THAT(no_crs, Catch::Contains("place_crs") && Catch::Contains("EPSG:99999"));
     CHECK(one_line(no_crs));
     CHECK_THAT(reported("place = [36.335, -84.18]\nplace_m = [0.0, 0.0]\n"),
-               Catch::Contains("stands beside place"));
+               Catch::Contains("cannot be combined with place"));
     CHECK_THAT(reported("place_m = [0.0, 0.0]\nplace_crs = \"EPSG:32616\"\n"),
                Catch::Contains("place_crs") && Catch::Contains("unknown key"));
     CHECK_THAT(reported("place = [36.335, -84.18]\nheight_above_sea_m = 500.0\n"),

@@ -52,7 +52,7 @@ TEST_CASE("reflected light is used for the material it was measured over, or not
     CAPTURE(notes_of(untold));
     CHECK(measured_albedo(untold.scene, untold.world, untold.weather).share.empty());
     CHECK(notes_of(untold).find("shortwave_up is not used") != std::string::npos);
-    CHECK(notes_of(untold).find("weather: not measured, modelled") != std::string::npos);
+    CHECK(notes_of(untold).find("weather: modelled, not measured") != std::string::npos);
 
     const Prepared grass = prepared("measured_over = \"grass\"\n");
     const MeasuredAlbedo measured = measured_albedo(grass.scene, grass.world, grass.weather);
@@ -72,8 +72,8 @@ TEST_CASE("a scene is refused a day that its weather file does not hold",
     write_text(folder.path / "scene.toml",
                with(small_scene(), "start = 2026-07-15", "start = 2026-01-15"));
     CHECK_THROWS_WITH(prepare(read_scene(folder.path / "scene.toml")),
-                      Catch::Contains("weather.csv: holds weather from 2026-07-15T04:00:00Z to "
-                                      "2026-07-16T04:00:00Z; asked for 2026-01-15T04:00:00Z to "
+                      Catch::Contains("weather.csv: has weather from 2026-07-15T04:00:00Z to "
+                                      "2026-07-16T04:00:00Z, expected 2026-01-15T04:00:00Z to "
                                       "2026-01-16T04:00:00Z"));
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("gaps in the days that a start is found from are gaps", "[scenes][weat
     // Eleven rows that are not there, reported of as filled.
     const std::string filled = notes_of(under_holes("on_gap = \"interpolate\"\n", ""));
     CAPTURE(filled);
-    CHECK(filled.find("11 air_temperature_K on the line") != std::string::npos);
+    CHECK(filled.find("11 air_temperature_K by linear interpolation") != std::string::npos);
     // Starts that do not go so far back do not ask for it.
     for (const char* time :
          {"spin_up_days = 1\n", "spin_up = \"periodic\"\n", "spin_up = \"steady\"\n"}) {

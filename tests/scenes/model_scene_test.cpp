@@ -131,8 +131,8 @@ TEST_CASE("what does not go with a model is told", "[scenes][models]") {
         scene_with(folder.path,
                    "[[object]]\nname = \"a\"\nmesh = \"mesh.obj\"\nplace_m = [0, 0]\nmaterial = "
                    "\"sheet\"\nnet_clearance_m = 0.4\ndetail = \"low\"\n"));
-    CHECK(file.find("detail: of models alone") != std::string::npos);
-    CHECK(file.find("net_clearance_m: of models alone") != std::string::npos);
+    CHECK(file.find("detail: needs a model") != std::string::npos);
+    CHECK(file.find("net_clearance_m: needs model instead of mesh") != std::string::npos);
 }
 
 TEST_CASE("a truck that runs is warm in front, a parked one as cold as the air",

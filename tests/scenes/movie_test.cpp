@@ -98,7 +98,9 @@ TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
     const RunFolder folder;
     Ran ran = movie(folder.bin, true, folder.argument());
     CHECK(ran.code == 1);
-    CHECK(ran.out == "diurna: ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)\n");
+    CHECK(
+        ran.out ==
+        "diurna: ffmpeg is not on the PATH; install it to make movies (Debian package: ffmpeg)\n");
     CHECK(folder.nothing());
     folder.ffmpeg("cat > \"$last\"; exit 3");
     CHECK(movie(folder.bin, false, folder.argument()).code == 1);

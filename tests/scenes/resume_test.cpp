@@ -177,7 +177,7 @@ TEST_CASE("every file that a scene is made of is in the key", "[resume]") {
     // A file that changes after it was read is no input to be reported of.
     const Scene scene = prepare(read_scene(place.scene)).scene;
     write_text(place.folder.path / "paint.csv", "wavelength_um,reflectance\n0.3,0.2\n20,0.05\n");
-    CHECK_THROWS_WITH(run_inputs(scene), Catch::Contains("paint.csv: has changed"));
+    CHECK_THROWS_WITH(run_inputs(scene), Catch::Contains("paint.csv: changed while"));
 }
 
 TEST_CASE("a folder is one run's alone", "[resume]") {
@@ -202,7 +202,7 @@ TEST_CASE("a folder is one run's alone", "[resume]") {
 
     // Another file among the pictures is none of its own: reported, and left alone.
     write_text(out / "frames/mine.exr", "x");
-    CHECK(verify(out) == std::vector<std::string>{"frames/mine.exr: not of this run"});
+    CHECK(verify(out) == std::vector<std::string>{"frames/mine.exr: not written by this run"});
     CHECK(code_of(run) == 2);
     CHECK(fs::exists(out / "frames/mine.exr"));
     fs::remove(out / "frames/mine.exr");

@@ -108,7 +108,7 @@ TEST_CASE("no pixel looks round the back of the sphere", "[scenes][scene_file]")
     // 360 degrees on 640 columns are 320 rows from pole to pole.
     const std::string tall = reported(
         "projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 512\n");
-    CHECK(tall.find("observer[0].height: rows of the panorama reach over 288 degrees") !=
+    CHECK(tall.find("observer[0].height: the rows of the panorama span 288 degrees") !=
           std::string::npos);
     CHECK(tall.find("height = 320") != std::string::npos);
     CHECK(reported(

@@ -464,10 +464,10 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
     CHECK_THAT(reported("[[object.lump]]\nname = \"engine\"\n"),
                Contains("object[0].part: missing, expected at least one"));
     const std::string lid = "[[object.part]]\nname = \"lid\"\n";
-    CHECK_THAT(reported(lid + "runs = true\n"), Contains("runs: of no heat and no temperature"));
+    CHECK_THAT(reported(lid + "runs = true\n"), Contains("runs: has no effect without heat"));
     CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"oil\"\ntemperature_K = 350\n"
                               "heat_capacity_J_K = 1000\n"),
-               Contains("heat_capacity_J_K: of a lump that is held"));
+               Contains("heat_capacity_J_K: has no effect on a lump"));
     CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"ground\"\n"),
                Contains("'ground' is already in use"));
     const std::string on_ground = "[[object.contact]]\nconductance_W_m2K = 50\nbetween = ";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "materials/atmosphere/drop_absorption.hpp"
 #include "materials/atmosphere/scaled_aerosol.hpp"
 #include "materials/atmosphere/solar_spectrum.hpp"
 #include "materials/atmosphere/two_stream.hpp"
@@ -118,7 +119,8 @@ struct Layering {
     PerLevel absorption;
     std::vector<ScaledAerosol> edge, middle;  // at levels, and between them
     double mu;                                // of the beam where it is scattered
-    double drops;                             // the clouds' scaled optical depth
+    std::vector<double> drops;                // (bin) the clouds' scaled optical depth
+    std::vector<double> drop_albedo;          // (bin) scaled single-scattering albedo
     std::size_t base;                         // the layer they lie in
 
     Layering(const SunlitAir& lit_air, const Medium& medium, const PerLevel& irradiance)
@@ -126,8 +128,13 @@ struct Layering {
           beam(irradiance),
           absorption(absorption_above(lit_air, medium)),
           mu(std::clamp(lit_air.cosine, least_cosine, 1.0)),
-          drops(lit_air.model.cloud.optical_depth * (1.0 - cloud_peak)),
           base(lit_air.at_height(lit_air.model.cloud.base_km).low) {
+        for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {
+            const double albedo = std::min(0.9999, drop_single_albedo(bin_middles_um()[b]));
+            const double left = 1.0 - cloud_peak * albedo;
+            drops.push_back(lit_air.model.cloud.optical_depth * left);
+            drop_albedo.push_back((1.0 - cloud_peak) * albedo / left);
+        }
         for (const double z : air.level) edge.push_back(scaled_aerosol(medium, z));
         for (std::size_t i = 0; i + 1 < air.level.size(); ++i) {
             middle.push_back(scaled_aerosol(medium, 0.5 * (air.level[i] + air.level[i + 1])));
@@ -155,18 +162,19 @@ struct Layering {
                 beam[i][b]};
     }
     /// The same layer where clouds stand in it or above.
-    ScatteringLayer clouded(const LayerContent& c, std::size_t i, ScatteringLayer layer) const {
+    ScatteringLayer clouded(const LayerContent& c, std::size_t i, std::size_t b,
+                            ScatteringLayer layer) const {
         if (i == base) {
-            const double sum = c.scattering + 0.9995 * drops;
-            layer.asymmetry =
-                (c.scattering * c.asymmetry + drops * cloud_asymmetry / (1.0 + cloud_asymmetry)) /
-                sum;
-            layer.depth = c.depth + drops;
+            const double scattered = drop_albedo[b] * drops[b], sum = c.scattering + scattered;
+            layer.asymmetry = (c.scattering * c.asymmetry +
+                               scattered * cloud_asymmetry / (1.0 + cloud_asymmetry)) /
+                              sum;
+            layer.depth = c.depth + drops[b];
             layer.single_albedo = sum / layer.depth;
-            layer.beam_out *= std::exp(-drops / mu);
+            layer.beam_out *= std::exp(-drops[b] / mu);
         } else if (i < base) {
-            layer.beam_in *= std::exp(-drops / mu);
-            layer.beam_out *= std::exp(-drops / mu);
+            layer.beam_in *= std::exp(-drops[b] / mu);
+            layer.beam_out *= std::exp(-drops[b] / mu);
         }
         return layer;
     }
@@ -199,7 +207,7 @@ void spread_light(SunlitAir& air, const Medium& medium, const PerLevel& beam) {
         for (std::size_t i = levels - 1; i-- > 0;) {  // from the top down
             const LayerContent content = layering.content(i, b);
             layers.push_back(layering.clear(content, i, b));
-            if (clouds) covered.push_back(layering.clouded(content, i, layers.back()));
+            if (clouds) covered.push_back(layering.clouded(content, i, b, layers.back()));
         }
         keep_flux(layers, layering.mu, air.sun.ground_albedo, b, air.clear);
         if (clouds) keep_flux(covered, layering.mu, air.sun.ground_albedo, b, air.cloudy);

@@ -19,7 +19,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_instants = 24;
+constexpr std::size_t most_checked_instants = 24;
 constexpr std::size_t most_named = 4;  // materials
 
 /// The points' facets and all that share a corner with one.
@@ -101,7 +101,7 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     if (count == 0 || all == 0) return error;
     const std::vector<FacetId> near = about(prepared.world, points);
     const FacetSet& surfaces = prepared.world.surfaces();
-    const std::size_t asked = std::min(all, most_instants);
+    const std::size_t asked = std::min(all, most_checked_instants);
     std::vector<double> off;
     std::map<std::uint32_t, Sum> observers;
     std::map<std::string, Sum> materials;

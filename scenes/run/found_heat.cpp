@@ -39,13 +39,13 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     return some;
 }
 
-constexpr const char* pictures = "pictures";  // that points were drawn in
+constexpr const char* pictures_key = "pictures";  // that points were drawn in
 constexpr const char* facets_row = "row facets' sizes and rays";
 
 Messages messages_of(const Scene& scene, const SpanResult& result) {
     Messages messages{{"not converged", not_converged(result.report)},
                       {"start", result.start},
-                      {pictures, sha256(scene.said)}};
+                      {pictures_key, sha256(scene.said)}};
     for (const std::string& note : result.notes) {
         messages.emplace_back("note", note);
         if (!note.starts_with(check_begins)) continue;
@@ -59,7 +59,7 @@ Messages messages_of(const Scene& scene, const SpanResult& result) {
 
 /// An error that was measured in other pictures is not reported of these.
 void drop_error_of_others(const Scene& scene, Messages& messages) {
-    const std::pair<std::string, std::string> these{pictures, sha256(scene.said)};
+    const std::pair<std::string, std::string> these{pictures_key, sha256(scene.said)};
     if (std::find(messages.begin(), messages.end(), these) != messages.end()) return;
     const std::string instead =
         "not measured in these pictures: temperatures are from the cache, checked in an earlier "

@@ -102,7 +102,8 @@ TEST_CASE("check points report the error of facets in pictures",
     for (const double edge : {24.0, 8.0}) {
         const Solved coarse = solved(folder, yard(edge), 512);
         const double reported = reported_rms(coarse.result), is = apart(coarse, truth, folder);
-        INFO(edge << " m: told " << told << " K, is " << is << " K; " << note_of(coarse.result));
+        INFO(edge << " m: reported " << reported << " K, is " << is << " K; "
+                  << note_of(coarse.result));
         CHECK(reported < 2.0 * is);
         CHECK(reported > 0.5 * is);
     }

@@ -44,11 +44,9 @@ SightLine line_of(const AirPath& a, const BandModel& model) {
     check_within("ground_albedo", a.ground_albedo, 0.0, 1.0);
     const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
     if (ends != 1) {
-        throw InputError(
-            "path",
-            fmt::format(
-                "found {} ends of the path, expected one of range_km, to_height_km, to_ground, to_space",
-                ends));
+        throw InputError("path", fmt::format("found {} ends of the path, expected one of range_km, "
+                                             "to_height_km, to_ground, to_space",
+                                             ends));
     }
     if (a.range_km) return sight_line(a.height_km, a.zenith_deg, *a.range_km);
     if (a.to_height_km) {

@@ -113,7 +113,13 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
         scene.fills_voids = dem.voids > 0;
         scene.place = a.at.empty() ? dem_centre(dem) : new_place(a.at);
         const double room = room_around(dem, scene.place);
-        if (!(room >= least_radius)) {
+        if (!(room >= 0.0)) {
+            throw InputError(a.dem.string(),
+                             fmt::format("does not contain {:.5f} N {:.5f} E, expected a place "
+                                         "inside it",
+                                         scene.place.latitude_deg, scene.place.longitude_deg));
+        }
+        if (room < least_radius) {
             throw InputError(
                 a.dem.string(),
                 fmt::format(

@@ -16,8 +16,7 @@ std::string Reading::object(const Section& section, const char* says) {
 
 void Reading::texture(const Section& section, std::map<std::string, std::string>& uses,
                       const std::string& on) const {
-    const std::string texture =
-        section.name_or("texture", "texture of the surface", "", textures);
+    const std::string texture = section.name_or("texture", "texture of the surface", "", textures);
     if (section.has("texture")) uses[on] = texture;
 }
 

@@ -66,7 +66,8 @@ LumpInput read_lump(const Section& section, const TargetInput& target) {
     lump.hours = read_hours(section);
     lump.runs = read_runs(section);
     if ((!lump.hours.empty() || lump.runs) && std::isnan(lump.kelvin) && lump.watts == 0.0) {
-        section.mistake(lump.runs ? "runs" : "hours", "has no effect without heat_W or temperature_K");
+        section.mistake(lump.runs ? "runs" : "hours",
+                        "has no effect without heat_W or temperature_K");
     }
     if (!std::isnan(lump.kelvin) && lump.capacity != 0.0) {
         section.mistake("heat_capacity_J_K", "has no effect on a lump with a fixed temperature_K");

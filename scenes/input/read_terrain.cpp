@@ -191,7 +191,8 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
 void read_ground(const Section& section, Reading& reading, TerrainInput& terrain) {
     using Mesh = TerrainInput::Mesh;
     terrain.coarsest = section.number_or(
-        "coarsest_m", "largest tolerance far from all observers; it grows with distance to at most one pixel",
+        "coarsest_m",
+        "largest tolerance far from all observers; it grows with distance to at most one pixel",
         {0.0, "tolerance_m"}, {0.0, 1000.0});
     terrain.mesh = section.choice_or(
         "mesh",

@@ -55,7 +55,8 @@ void read_heights(const Section& section, const AirInput& air, WeatherInput& wea
 
 /// Names, and how finely the scene is sampled.
 void read_about(const Section& about, Scene& scene) {
-    const std::string folder = scene.file.parent_path().filename().string();
+    const std::string folder =
+        fs::absolute(scene.file).lexically_normal().parent_path().filename().string();
     scene.name = about.text_or("name", "name of the scene", {folder, "the name of its folder"});
     scene.title = about.text_or("title", "title of the report", {scene.name, "name"});
     scene.seed = static_cast<std::uint64_t>(about.integer_or(

@@ -140,8 +140,9 @@ std::vector<Mistake> view_warnings(const Prepared& prepared) {
             const std::string& material = prepared.scene.materials[border->material].kind();
             warnings.push_back(
                 {where,
-                 fmt::format("{:.0f} % of its picture{} is ground beyond the elevation raster, "
-                             "modelled to the horizon as {} at {:.0f} m above the sea, with the "
+                 fmt::format("{:.0f} % of its picture{} is ground beyond the elevation raster "
+                             "(the part that is read), modelled to the horizon as {} at {:.0f} m "
+                             "above the sea, with the "
                              "temperature at the raster's edge, without relief, labels or objects",
                              std::ceil(100.0 * beyond), looked > 1 ? " (at most)" : "", material,
                              border->height),

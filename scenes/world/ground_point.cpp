@@ -27,10 +27,12 @@ Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vect
                              const std::string& where, const std::string& hint) {
     const auto ground = ground_if_any(dem, site, place);
     if (ground) return *ground;
-    throw InputError(where,
-                     fmt::format("east {:g} m, north {:g} m is outside {} or over a void",
-                                 place.x(), place.y(), dem.source),
-                     hint);
+    throw InputError(
+        where,
+        fmt::format(
+            "east {:g} m, north {:g} m is outside the part of {} that is read, or over a void",
+            place.x(), place.y(), dem.source),
+        hint);
 }
 
 }  // namespace diurna

@@ -64,6 +64,7 @@ HeightSpan heights_of_surfaces(const World& world) {
 }
 
 HeightSpan heights_of_ground(const World& world) {
+    if (world.ground_facets == 0) return heights_of_surfaces(world);
     HeightSpan span{world.sea_level_height, world.sea_level_height};
     bool first = true;
     for (std::size_t f = 0; f < world.ground_facets; ++f) {

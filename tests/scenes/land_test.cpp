@@ -221,9 +221,9 @@ TEST_CASE("what is left out of a file of buildings is told", "[scenes][land][bui
             .world.notes;
     REQUIRE(notes.size() == 2);
     CHECK_THAT(notes[0], Catch::EndsWith("houses.geojson: 2 buildings without a height above 0 m "
-                                         "left out, the first is feature 2"));
-    CHECK_THAT(notes[1], Catch::EndsWith("1 building beyond the elevation data or on void posts "
-                                         "left out, the first is feature 4"));
+                                         "left out; the first is feature 2"));
+    CHECK_THAT(notes[1], Catch::EndsWith("1 building outside the elevation data or on void posts "
+                                         "left out; the first is feature 4"));
     const std::string crossed =
         "[-84.200,36.320],[-84.199,36.321],[-84.199,36.320],[-84.200,36.321]";
     CHECK_THROWS_WITH(build(feature("6", 0.002) + "," + feature("6", 0.0, crossed)),

@@ -69,7 +69,8 @@ TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
     for (const auto& [arguments, says] :
          {std::pair{fmt::format("'{}/none.tif'", folder.path.string()), std::string("none.tif")},
           {"'" + elevation + "' --at 36.3", std::string("latitude and longitude in degrees")},
-          {"'" + elevation + "' --at 10.0,20.0", std::string("expected 60 at least")},
+          {"'" + elevation + "' --at 10.0,20.0",
+           std::string("does not contain 10.00000 N 20.00000 E")},
           {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {
         CHECK(verb(begin + arguments, reported) == 2);
         INFO(read_text(reported));

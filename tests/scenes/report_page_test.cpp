@@ -240,7 +240,7 @@ TEST_CASE("a page has all sections, studies left in its folder too", "[scenes][r
     // 924 s are 15.4 min.
     CHECK(text.find("<td>2026-07-15 10:30</td><td>crosses</td><td>meadow</td><td>15.4</td><td>2.5 "
                     "of 24</td>") != std::string::npos);
-    CHECK(text.find("contrast/broken.json is left out: ") != std::string::npos);
+    CHECK(text.find("contrast/broken.json is not shown: ") != std::string::npos);
     CHECK(text.find("<h3>oddity odd</h3>") != std::string::npos);
     CHECK(text.find("<script>window") == std::string::npos);
     // What a run was made of, with what it held.

@@ -175,8 +175,7 @@ TEST_CASE("check tells of doubts, and strictly refuses them", "[scenes][warnings
     CHECK(read_text(reported_file).find("is inside \"hangar\"") != std::string::npos);
     const fs::path out = folder().path / "out";
     CHECK(verb("run --set time.duration_h=0.5 --out '" + out.string() + "'") == 0);
-    CHECK(read_text(out / "report.html").find("stands inside &quot;hangar&quot;") !=
-          std::string::npos);
+    CHECK(read_text(out / "report.html").find("is inside &quot;hangar&quot;") != std::string::npos);
 }
 
 TEST_CASE("mistyped names are told with what mends them", "[scenes][warnings]") {

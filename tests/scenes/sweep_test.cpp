@@ -403,7 +403,7 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
     CHECK(lines_of(folder, axis("scene.seed", "[]")).find("at least one value") !=
           std::string::npos);
     CHECK(lines_of(folder, axis("scene.seed", "[1, 2]") + axis("scene.seed", "[1]"))
-              .find("two change scene.seed") != std::string::npos);
+              .find("two axes change scene.seed") != std::string::npos);
     CHECK(lines_of(folder,
                    "[[sweep.axis]]\nkeys = [\"scene.seed\", \"time.step_s\"]\nvalues = "
                    "[[1, 600.0], [2]]\n")

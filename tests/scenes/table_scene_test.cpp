@@ -142,7 +142,7 @@ TEST_CASE("what a table of paths cannot give a scene is refused in a line",
     CHECK_THAT(problem(table, "\"8-12\"", "\"8-14\""), Contains("band 8-14 needs 8 to 14 um"));
     CHECK_THAT(problem(table, "\"8-12\"", "\"0.7-1.0\""), Contains("no scattered sun"));
     CHECK_THAT(problem(table, "height_above_ground_m = 450.0", "height_above_ground_m = 900.0"),
-               Contains("atmosphere.table: observers look from"));
+               Contains("atmosphere.table: observers are at heights from"));
 
     const auto damaged = [&](const std::string& text) {
         write_text(folder / "bad.tp7", text);

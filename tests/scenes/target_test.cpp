@@ -460,7 +460,7 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
         Contains("hours: found '5 till 7', expected hours and a share such as 05:30-06:10 0.3"));
     CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\n[[object.link]]\nbetween = [\"lid\", "
                         "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
-               Contains("no 'engin' in this object") && Contains("did you mean 'engine'?"));
+               Contains("unknown 'engin' in this object") && Contains("did you mean 'engine'?"));
     CHECK_THAT(reported("[[object.lump]]\nname = \"engine\"\n"),
                Contains("object[0].part: missing, expected at least one"));
     const std::string lid = "[[object.part]]\nname = \"lid\"\n";
@@ -473,7 +473,7 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
     const std::string on_ground = "[[object.contact]]\nconductance_W_m2K = 50\nbetween = ";
     CHECK_THAT(reported(lid + on_ground + "[\"lid\", \"ground\"]\n" + on_ground +
                         "[\"ground\", \"lid\"]\n"),
-               Contains("between: joins 'lid' and 'ground' as"));
+               Contains("between: connects 'lid' and 'ground' as"));
     CHECK_THAT(reported("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
     write_text(folder.path / "mesh.parts.toml", "[[part]]\nname = \"lid\"\nheat = 5\n");
     CHECK_THAT(reported(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));

@@ -118,8 +118,8 @@ void tell(CalibrationReport& report) {
             fmt::format("{} outside the span skipped", number_of(report.beyond, "measured value")));
     }
     if (report.missing > 0) {
-        report.notes.push_back(
-            fmt::format("{} missing", number_of(report.missing, "measured value is", "measured values are")));
+        report.notes.push_back(fmt::format(
+            "{} missing", number_of(report.missing, "measured value is", "measured values are")));
     }
     if (fit.independent < 0.9 * double(report.measured.size())) {
         report.notes.push_back(

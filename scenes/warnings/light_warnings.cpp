@@ -14,7 +14,7 @@ std::vector<Mistake> light_warnings(const Prepared& prepared) {
     for (const std::string& key : scene.idle_sky_keys) {
         warnings.push_back({fmt::format("{}: sky.{}", scene.file.string(), key),
                             "has no effect on clear skies: their light comes from [atmosphere]",
-                            "set atmosphere.visibility_km and the like, or "
+                            "set atmosphere.visibility_km and its other keys, or "
                             "atmosphere.drives_heat = false for the formulas of [sky]"});
     }
     const auto& samples = prepared.weather.sample;

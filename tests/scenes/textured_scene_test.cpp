@@ -193,12 +193,12 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
         "on material \"asphalt\": more than 2.5 % of values would be cut off");
     has(problem(textured("what = \"mixture\"\n" + good)), "expected the names of two materials");
     has(problem(textured("what = \"mixture\"\nbetween = [\"grass\", \"gras\"]\n" + good)),
-        "unknown material \"gras\" (did you mean 'grass'?)");
+        "no material \"gras\" (did you mean 'grass'?)");
     has(problem(textured("file = \"none.png\"")), "no such file: ");
     has(problem(textured("file = \"grid.asc\"\nmetres_per_texel = 1.0")),
         "gives values from 0 to 255, expected 0 to 1");
     has(problem(textured("file = \"grid.asc\"\nscale = 0.0039")),
-        "metres_per_texel: missing, and grid.asc does not say where on Earth it lies");
+        "metres_per_texel: missing, and grid.asc has no georeference");
     has(problem(textured("file = \"grid.asc\"\nscale = 0.0039\nplace_m = [0.0, 0.0]")),
         "metres_per_texel: missing");
     has(problem(textured("file = \"grid.asc\"\nchannel = 3\nmetres_per_texel = 1.0")),

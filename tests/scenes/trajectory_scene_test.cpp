@@ -216,7 +216,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
                Contains("frame_every_s or frames"));
     CHECK_THAT(
         reported(with(aimed, "frame_every_s = 10.0", "frames = [\"2026-07-15T14:00:00-04:00\"]")),
-        Contains("outside the way \"approach\" in the span"));
+        Contains("outside trajectory \"approach\" in the span"));
     CHECK_THAT(reported(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
                Contains("outside the span of [time]"));
     CHECK_THAT(reported(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
@@ -274,7 +274,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     }
     // A picture outside a way says whose.
     CHECK_THAT(reported(with(two, "12:05:10", "13:05:10")),
-               Contains("outside the way \"approach\"") && Contains("12:05:40"));
+               Contains("outside trajectory \"approach\"") && Contains("12:05:40"));
     // Where the mistake stands.
     const std::string still =
         "[[observer]]\nname = \"still\"\nplace_m = [0.0, 0.0]\n"

@@ -43,12 +43,11 @@ constexpr const char* pictures_key = "pictures";  // that points were drawn in
 constexpr const char* facets_row = "row facets' sizes and rays";
 
 Messages messages_of(const Scene& scene, const SpanResult& result) {
-    Messages messages{{"not converged", not_converged(result.report)},
-                      {"start", result.start},
-                      {pictures_key, sha256(scene.said)}};
+    Messages messages{{"not converged", not_converged(result.report)}, {"start", result.start}};
     for (const std::string& note : result.notes) {
         messages.emplace_back("note", note);
         if (!note.starts_with(check_begins)) continue;
+        messages.emplace_back(pictures_key, sha256(scene.said));
         messages.emplace_back(facets_row, note.substr(std::string(check_begins).size() + 1));
     }
     for (const auto& [name, value] : heat_rows(result.report)) {

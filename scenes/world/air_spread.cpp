@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "materials/atmosphere/sun_field.hpp"
+#include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "render/light/directional_sky.hpp"
@@ -71,8 +72,10 @@ SkySpread spread_of(const LightOfInstant& light, const SkyState& sky, double hei
 
 }  // namespace
 
-std::shared_ptr<const SkySpreads> air_spread(const Scene& scene, const World& world,
-                                             const Weather& weather) {
+namespace {
+
+std::shared_ptr<const SkySpreads> spread_over_span(const Scene& scene, const World& world,
+                                                   const Weather& weather) {
     const InstantLights lights(scene, world, weather);
     const Instant from = weather.instant.front(), to = std::max(weather.instant.back(), from);
     SunPath path(world.site);
@@ -112,6 +115,18 @@ std::shared_ptr<const SkySpreads> air_spread(const Scene& scene, const World& wo
     SkySpreads spreads{.instant = std::move(instants), .spread = {}};
     for (const std::size_t k : taken) spreads.spread.push_back(found[k]);
     return std::make_shared<const SkySpreads>(std::move(spreads));
+}
+
+}  // namespace
+
+std::shared_ptr<const SkySpreads> air_spread(const Scene& scene, const World& world,
+                                             const Weather& weather) {
+    try {
+        return spread_over_span(scene, world, weather);
+    } catch (const InputError&) {
+        // Weather that no profile can continue is reported by weather_warnings() and by pictures.
+        return nullptr;
+    }
 }
 
 }  // namespace diurna

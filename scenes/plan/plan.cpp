@@ -15,6 +15,7 @@
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/solve/point_facets.hpp"
+#include "thermal/weather/sky_spread.hpp"
 
 namespace diurna {
 
@@ -274,8 +275,10 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     // Ground that lies finer than its tolerance asks for does so for objects, which it sees.
     const bool objects = !scene.terrain.objects.empty() || !scene.terrain.buildings.empty();
     const double coupled = objects ? facets - networks : 0.0;
+    const double lit =
+        weather.spreads ? double(std::min<std::size_t>(200, weather.spreads->instant.size())) : 0.0;
     plan.stages = {
-        {"terrain", costs.start + costs.world_per_facet * facets},
+        {"terrain", costs.start + costs.world_per_facet * facets + costs.light_per_hour * lit},
         {"sky view", (costs.sky_per_facet * (facets - networks) +
                       costs.sky_per_ray * networks * scene.object_sky_rays) /
                          threads},

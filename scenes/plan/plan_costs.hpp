@@ -10,6 +10,7 @@ struct PlanCosts {
     // [s] The world, which is there before the plan is: of the program, and of a facet.
     double start = 0.30;
     double world_per_facet = 5e-6;
+    double light_per_hour = 0.045;  // of daylight: how the air spreads its light (air_spread.hpp)
     // [s] What surfaces see.
     double sky_per_facet = 40e-6;        // of the ground, of buildings
     double sky_per_ray = 1.6e-6;         // of an object that is one body of heat

@@ -22,7 +22,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double half_hour = 1800.0;
+constexpr double hour = 3600.0;
 constexpr double lowest_sun_deg = 0.5, least_diffuse = 0.1;  // [W m⁻²]
 constexpr std::size_t most_by_time = 200;                    // instants; more go by their sky
 constexpr std::array<double, 8> node_um = {0.36, 0.42, 0.48, 0.56, 0.66, 0.80, 1.02, 1.60};
@@ -81,7 +81,7 @@ std::shared_ptr<const SkySpreads> spread_over_span(const Scene& scene, const Wor
     SunPath path(world.site);
     std::vector<Instant> instants;
     std::vector<SkyState> skies;
-    for (double s = 0.0; s <= seconds_between(from, to) + half_hour; s += half_hour) {
+    for (double s = 0.0; s <= seconds_between(from, to) + hour; s += hour) {
         const Instant when = later(from, s);
         const SkyState sky = lights.sky().at(when, path.at(when));
         if (sky.sun.elevation_deg < lowest_sun_deg || sky.diffuse_horizontal < least_diffuse) {

@@ -271,7 +271,7 @@ constexpr double usual_loss = 20.0;  // [W m⁻² K⁻¹] radiation and air toge
 /// once: they lose next to nothing, so a lasting heat would move them to where slopes are others.
 void limit_moves(const Block& block, const Field& field, Eigen::MatrixXd& start) {
     constexpr float mostly = 0.5f;
-    constexpr double farthest = 3.0;  // [K]
+    constexpr double farthest = 8.0;  // [K]
     for (Eigen::Index l = 0; l < start.cols(); ++l) {
         if (field.itself[block.facet[std::size_t(l)]] < mostly) continue;
         const double most = start.col(l).cwiseAbs().maxCoeff();

@@ -151,7 +151,7 @@ int main() {
     for (const thermal_rows::Case& c : joint_rows::cases()) {
         row(c.claim, c.reference, c.peers, c.measure);
     }
-    row("Jacksboro raster to 1 m", "each triangle rasterised anew",
+    row("Jacksboro raster to 1 m", "each triangle rasterised again",
         "tin-terrain 572 m at 10 m allowed; martini 9.5 m at 5 m", [] { return mesh(1.0); });
     row("sky view in a bowl, depth/diameter 0.1, 0.2, 0.5, mean", "spherical cap, exact",
         "HORAYZON +0.0013, topocalc 0.0021 rms at 0.2",

@@ -34,7 +34,10 @@ const std::map<std::string, Profile>& afgl_table() {
                     table.number(row, table.column(gas_columns[gas])));
             }
         }
-        for (const auto& [name, profile] : found) check(profile);
+        for (auto& [name, profile] : found) {
+            profile.winter = name == "MLW" || name == "SAW";
+            check(profile);
+        }
         return found;
     }();
     return profiles;

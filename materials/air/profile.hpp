@@ -29,6 +29,7 @@ struct Profile {
     std::vector<double> pressure_hPa;
     std::vector<double> temperature;                              // [K]
     std::array<std::vector<double>, gas_count> mixing_ratio_ppm;  // by volume
+    bool winter = false;  // its haze above the boundary layer is that of autumn and winter
     std::vector<std::string> notes{};  // what was repaired in the file it comes from
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/air/seasonal_profile.hpp"
 #include "materials/air/sounding_levels.hpp"
 #include "materials/air/sounding_table.hpp"
 #include "materials/base/csv.hpp"
@@ -117,6 +118,17 @@ void add_level(const CsvTable& table, std::size_t row, const Columns& columns, c
     append_level(sonde, z, air);
 }
 
+/// That of the season, by the highest level up to 3 km above the lowest: free of the ground's own
+/// days and nights.
+Profile model_of(const CsvTable& table, const Columns& columns) {
+    const auto height_km = [&](std::size_t row) {
+        return columns.to_km * table.number(row, columns.height);
+    };
+    std::size_t row = 0;
+    while (row + 1 < table.rows.size() && height_km(row + 1) <= height_km(0) + 3.0) ++row;
+    return seasonal_profile(height_km(row), table.number(row, columns.temperature) + columns.zero);
+}
+
 /// The model's levels above the last, made to join it.
 void add_model_above(const Profile& model, Profile& sonde) {
     constexpr auto water = static_cast<std::size_t>(Gas::water);
@@ -144,7 +156,6 @@ Profile read_radiosonde(const std::filesystem::path& file, const std::string& ab
 
 Sounding read_sounding(const std::filesystem::path& file, const std::string& above,
                        const std::string& time) {
-    const Profile model = afgl_profile(above);
     SoundingTable sounding = read_sounding_table(file, time);
     CsvTable& table = sounding.table;
     if (table.rows.size() < 2 || table.rows.size() > 5000) {
@@ -154,7 +165,6 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
     const Columns columns(table);
     sort_levels(table, columns.height);
     Profile sonde;
-    sonde.name = above;
     sonde.notes = std::move(sounding.notes);
     // Archives hold every level of a flight as it was sent; a table of one's own is to be in order.
     const double most = sounding.archive ? 0.5 : 0.1;
@@ -162,6 +172,9 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
         !note.empty()) {
         sonde.notes.push_back(std::move(note));
     }
+    const Profile model = above.empty() ? model_of(table, columns) : afgl_profile(above);
+    sonde.name = model.name;
+    sonde.winter = model.winter;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         add_level(table, row, columns, model, sonde);
     }

@@ -20,17 +20,18 @@ namespace diurna {
 ///
 /// Levels at which the pressure rises or the height falls for a moment are skipped and noted
 /// (sounding_levels.hpp). Gases besides water, and everything above the last level, are those of
-/// the AFGL profile `above`; temperature and pressure join it over 5 km. Two levels or more, up to
-/// 5000. Throws InputError with file:line:column for what cannot be.
+/// the AFGL profile `above`, or where that is "" of the season by the measured air 3 km above the
+/// lowest level (seasonal_profile.hpp); temperature and pressure join it over 5 km. Two levels or
+/// more, up to 5000. Throws InputError with file:line:column for what cannot be.
 struct Sounding {
     Profile profile;
     std::size_t levels = 0;  // of the profile, those that were measured
 };
 /// time  of the sounding in a file of several (materials/air/igra.hpp); "": it holds one
-Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "US76",
+Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "",
                        const std::string& time = "");
 /// Its profile.
-Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76",
+Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "",
                         const std::string& time = "");
 
 /// An AFGL name, or the path of a radiosonde file where the name ends in ".csv", ".txt" or ".html".

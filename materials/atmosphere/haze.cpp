@@ -45,8 +45,7 @@ Haze::Haze(const BandModel& model) : model_(model) {
     const HazeTables& tables = band_model_tables();
     boundary_ = &tables.aerosols.at(model.aerosol);
     tropospheric_ = &tables.aerosols.at("tropospheric");
-    const bool winter = model.profile.name == "MLW" || model.profile.name == "SAW";
-    const std::vector<HazeTables::Haze>& season = tables.haze[winter ? 1 : 0];
+    const std::vector<HazeTables::Haze>& season = tables.haze[model.profile.winter ? 1 : 0];
     // Between tabulated visibilities linear in 1 / visibility, as the ground's extinction is.
     std::size_t high = 1;
     while (high + 1 < season.size() && season[high].visibility_km < model.visibility_km) ++high;

@@ -84,8 +84,8 @@ file = "{}"{}
     if (scene.weather_made_up) text += "interval = \"instant\"\n";
     text += fmt::format(R"(
 [atmosphere]           # between surface and camera
-profile = "MLS"        # mid-latitude summer; MLW, TROP, SAS, SAW, US76, or sounding = "FILE"
-visibility_km = 23.0
+visibility_km = 23.0   # the air above follows the weather's mean temperature; profile = "MLW"
+                       # names an AFGL profile, sounding = "FILE" a measured one
 
 [time]
 start = {}

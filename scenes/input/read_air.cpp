@@ -44,8 +44,8 @@ void read_sounding(const Section& section, AirInput& air) {
     if (air.vacuum) section.mistake("sounding", "a vacuum has no sounding");
     if (air.vacuum || !std::filesystem::is_regular_file(air.sounding_file)) return;
     try {
-        air.sounding =
-            std::make_shared<const Profile>(read_radiosonde(air.sounding_file, air.profile, time));
+        air.sounding = std::make_shared<const Profile>(
+            read_radiosonde(air.sounding_file, air.by_season ? "" : air.profile, time));
     } catch (const InputError& error) {
         section.mistake("sounding", error.mistakes().front().line());
     }
@@ -55,13 +55,16 @@ void read_sounding(const Section& section, AirInput& air) {
 
 AirInput read_air(const Section& section) {
     std::vector<std::string> profiles = afgl_profile_names();
-    profiles.push_back("vacuum");
+    profiles.insert(profiles.end(), {"season", "vacuum"});
     AirInput air;
     air.profile = section.word_or("profile",
-                                  "AFGL profile; at the ground it is replaced by the weather's "
-                                  "air, with a transition up to 1.5 km; vacuum: no air",
+                                  "AFGL profile; season: between the two AFGL profiles whose "
+                                  "temperatures enclose the mean of the weather's; at the ground "
+                                  "it is replaced by the weather's air, with a transition up to "
+                                  "1.5 km; vacuum: no air",
                                   air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
+    air.by_season = air.profile == "season";
     air.aerosol = section.word_or("aerosol", "type of the haze near the ground", air.aerosol,
                                   aerosol_names());
     air.visibility_km = section.number_or("visibility_km", "visibility in the haze near the ground",
@@ -99,7 +102,9 @@ AirInput read_air(const Section& section) {
 void take_haze(const AirInput& air, const Section& section, ClearSky& sky) {
     if (air.vacuum) return;
     BandModel model;
-    model.profile = air.sounding ? *air.sounding : afgl_profile(air.profile);
+    // Before the weather is read, "season" has the haze of spring and summer.
+    model.profile =
+        air.sounding ? *air.sounding : afgl_profile(air.by_season ? "MLS" : air.profile);
     model.aerosol = air.aerosol;
     model.visibility_km = air.visibility_km;
     if (!section.has("aerosol_380nm")) sky.aerosol_380nm = aerosol_depth(model, 0.38);

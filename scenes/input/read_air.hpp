@@ -12,15 +12,17 @@
 
 namespace diurna {
 
-/// The air between surface and eye: an AFGL profile or a radiosonde's, made to meet the weather at
-/// the ground, or none, or a table of paths from a file, the same at every instant.
+/// The air between surface and eye: an AFGL profile, that of the season or a radiosonde's, made to
+/// meet the weather at the ground, or none, or a table of paths from a file, the same at every
+/// instant.
 struct AirInput {
     std::filesystem::path table_file;             // "": no table
     std::shared_ptr<const TabulatedPaths> table;  // null: none
     std::filesystem::path sounding_file;          // "": no radiosonde
     std::shared_ptr<const Profile> sounding;      // null: none
     bool vacuum = false;
-    std::string profile = "MLS";
+    bool by_season = true;  // no AFGL profile is named: scenes/world/upper_air.hpp
+    std::string profile = "season";
     std::string aerosol = "rural";
     double visibility_km = 23.0;
     double co2_ppm = todays_co2_ppm;

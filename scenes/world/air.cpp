@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "scenes/world/upper_air.hpp"
 
 namespace diurna {
 
@@ -25,9 +26,8 @@ Atmosphere atmosphere_of(const Scene& scene, const World& world, const Weather& 
     const AirInput& air = scene.air;
     if (air.vacuum) return Vacuum{};
     const double ground_km = world.sea_level_height / 1000.0;
-    Profile profile =
-        profile_over(air.sounding ? *air.sounding : afgl_profile(air.profile),
-                     air_by_height(scene, weather), forcing.air, ground.low, ground.high);
+    Profile profile = profile_over(*upper_air(scene, weather), air_by_height(scene, weather),
+                                   forcing.air, ground.low, ground.high);
     if (air.table) return Tabulated{air.table, std::make_shared<const Profile>(std::move(profile))};
     BandModel model;
     model.profile = std::move(profile);

@@ -7,6 +7,7 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/sea_height.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/upper_air.hpp"
 
 namespace diurna {
 
@@ -80,11 +81,7 @@ HeightSpan heights_of_ground(const World& world) {
 
 AirByHeight air_by_height(const Scene& scene, const Weather& weather) {
     AirByHeight rule{.station = weather.height, .lapse = scene.weather.by_height.lapse};
-    if (scene.weather.by_height.by_profile) {
-        rule.profile = scene.air.sounding
-                           ? scene.air.sounding
-                           : std::make_shared<const Profile>(afgl_profile(scene.air.profile));
-    }
+    if (scene.weather.by_height.by_profile) rule.profile = upper_air(scene, weather);
     return rule;
 }
 

@@ -5,6 +5,7 @@
 
 #include "scenes/world/air_spread.hpp"
 #include "scenes/world/driven_weather.hpp"
+#include "scenes/world/upper_air.hpp"
 #include "thermal/weather/cropped_weather.hpp"
 #include "thermal/weather/sky_series.hpp"
 
@@ -30,9 +31,11 @@ Weather measured_weather(const Scene& scene, const World& world) {
     options.elevation = world.sea_level_height;
     options.site = world.site;
     options.asked = used_span(scene.time);
-    return cropped(read_weather(scene.weather.files, options),
-                   later(scene.time.start, -options.asked.before),
-                   later(scene.time.end(), options.asked.behind));
+    const Instant from = later(scene.time.start, -options.asked.before);
+    const Instant to = later(scene.time.end(), options.asked.behind);
+    Weather weather = cropped(read_weather(scene.weather.files, options), from, to);
+    take_upper_air(scene, from, to, weather);
+    return weather;
 }
 
 Weather scene_weather(const Scene& scene, const World& world, Weather measured) {

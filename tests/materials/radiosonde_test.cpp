@@ -30,7 +30,8 @@ const std::string header = "height_m,pressure_hPa,temperature_C,relative_humidit
 
 TEST_CASE("a radiosonde's levels are the air", "[materials][profile]") {
     const Profile p = read_radiosonde(
-        file_with("# Fort Worth\n" + header + "200,990,25,60\n1500,850,14,50\n5500,500,-15,20\n"));
+        file_with("# Fort Worth\n" + header + "200,990,25,60\n1500,850,14,50\n5500,500,-15,20\n"),
+        "US76");
     const AirSample air = air_at(p, 0.2);
     CHECK(air.pressure_hPa == Approx(990));
     CHECK(air.temperature == Approx(298.15));

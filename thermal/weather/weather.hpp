@@ -13,6 +13,7 @@
 
 namespace diurna {
 
+struct Profile;
 struct SkySpreads;
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
@@ -59,6 +60,8 @@ struct Weather {
     /// weather.interval: what warnings advise.
     bool declarable = true;
     bool carried = true;  // to the height of each facet, from that of weather.height_m: scenes
+    /// The air above it, for scenes that name none; null: of the season, by all its rows.
+    std::shared_ptr<const Profile> above{};
     /// How its scattered sunlight is spread over the sky; null: by perez_split().
     std::shared_ptr<const SkySpreads> spreads{};
 

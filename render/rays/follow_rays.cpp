@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "materials/base/parallel.hpp"
@@ -73,6 +74,16 @@ std::vector<std::uint32_t> special_pixels(const View& view, const SecondaryScene
 /// to 0.003.
 constexpr int lobe_rays_of_pixel = 64, most_lobe_rays = 4;
 
+/// The samples take the lattice's points in steps of this, so that those in one part of a pixel,
+/// where a mirror's edge crosses it, spread over the whole lobe: of 256 half find a share to 0.014
+/// rms, in the lattice's own order to 0.17 in the lower half. Near a quarter, prime to their
+/// number.
+int lattice_step(int samples) {
+    int step = std::max(1, static_cast<int>(std::lround(samples * (std::sqrt(5.0) - 2.0))));
+    while (std::gcd(step, samples) != 1) ++step;
+    return step;
+}
+
 /// Whether a ray into a lobe met a facet.
 bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const SecondaryScene& scene) {
     return std::any_of(
@@ -121,23 +132,24 @@ struct PixelWalks {
     const ViewOptions& options;
     const SecondarySampling* sampling;
 
-    /// What the samples of a pixel meet, merged; empty where they meet what the view has already.
+    /// What a pixel's first samples meet, merged; empty where they meet what the view has already.
+    /// And how many samples the pixel wants.
+    std::vector<SecondaryRay> first(std::size_t p, int& wanted) const {
+        wanted = sampling ? sampling->options.from : options.samples;
+        if (sampling == nullptr) return walked(p, wanted, 1, options.seed, nullptr);
+        std::vector<double> values;
+        std::vector<SecondaryRay> seen = walked(p, wanted, 1, options.seed, &values);
+        if (!seen.empty()) wanted = samples_wanted(values, *sampling);
+        return seen;
+    }
+
+    /// What as many samples as it wants meet.
     ///
     /// - many: rays into lobes
-    std::vector<SecondaryRay> of_pixel(std::size_t p, bool many) const {
-        std::vector<double> values;
-        const auto rays = [&](int samples) {
-            const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
-            return many ? std::min(most_lobe_rays, wanted) : 1;
-        };
-        const auto seed = options.seed + (many ? second_step : 0);
-        const int first = sampling ? sampling->options.from : options.samples;
-        std::vector<SecondaryRay> seen =
-            walked(p, first, rays(first), seed, sampling ? &values : nullptr);
-        if (sampling == nullptr) return seen;
-        const int wanted = seen.empty() ? 0 : samples_wanted(values, *sampling);
-        if (wanted <= first) return seen;
-        return walked(p, wanted, rays(wanted), seed + golden_step, nullptr);
+    std::vector<SecondaryRay> all(std::size_t p, int samples, bool many) const {
+        const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
+        return walked(p, samples, many ? std::min(most_lobe_rays, wanted) : 1,
+                      options.seed + golden_step, nullptr);
     }
 
  private:
@@ -149,6 +161,7 @@ struct PixelWalks {
         std::vector<SecondaryRay> sample, seen;
         RandomStream of_pixel{(seed << 32) + p};
         const double offset = of_pixel();
+        const int step = lattice_step(samples);
         const std::array<double, 2> turn = {of_pixel(), of_pixel()};
         for (int s = 0; s < samples; ++s) {
             RandomStream chance{(seed * golden_step) ^
@@ -157,14 +170,15 @@ struct PixelWalks {
             const double column = double(p % width) + (s % columns + x) / columns;
             const double row = double(p / width) + (double(s / columns) + y) / rows;
             const double when = exposed(std::size_t(s), offset);
+            const int point = s * step % samples;
             sample.clear();
             walk(scene,
                  {.origin = observer.position + eye.start(column, row, when),
                   .direction = eye.towards(column, row, when),
                   .weight = 1.0f / static_cast<float>(samples),
                   .lobe = {.count = lobe_rays,
-                           .first = {fraction(turn[0] + double(s) / (samples * lobe_rays)),
-                                     fraction(turn[1] + s * golden_section)},
+                           .first = {fraction(turn[0] + double(point) / (samples * lobe_rays)),
+                                     fraction(turn[1] + point * golden_section)},
                            .step = {1.0 / lobe_rays, samples * golden_section}}},
                  chance, sample);
             if (values) sample_values(scene, sample, sampling->appearances, *values);
@@ -221,14 +235,17 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
     const PixelRays eye = pixel_rays(observer);
     const PixelWalks walks{with_textures, observer, eye, options, sampling};
     std::vector<std::vector<SecondaryRay>> found(asked.size());
+    std::vector<int> wanted(asked.size());
     for_each_index(
-        asked.size(), [&](std::size_t k) { found[k] = walks.of_pixel(asked[k], false); }, 16);
+        asked.size(), [&](std::size_t k) { found[k] = walks.first(asked[k], wanted[k]); }, 16);
+    const int first = sampling ? sampling->options.from : options.samples;
     const std::vector<bool> near =
         near_in_lobes(asked, static_cast<std::size_t>(observer.width), found, with_textures);
     for_each_index(
         asked.size(),
         [&](std::size_t k) {
-            if (near[k]) found[k] = walks.of_pixel(asked[k], true);
+            if (!near[k] && wanted[k] <= first) return;
+            found[k] = walks.all(asked[k], wanted[k], near[k]);
         },
         16);
     for (std::size_t k = 0; k < found.size(); ++k) {

@@ -1,6 +1,7 @@
 #include "render/rays/secondary_samples.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "materials/matter/directional_optics.hpp"
 
@@ -87,7 +88,8 @@ int samples_wanted(std::span<const double> values, const SecondarySampling& samp
         worst = std::max(worst, (squares - sum * sum / double(count)) / double(count - 1));
     }
     int samples = from;
-    while (2 * samples <= to && worst > tolerance * tolerance * samples) samples *= 2;
+    while (2 * samples <= to && worst > tolerance * tolerance * std::pow(samples, 1.5))
+        samples *= 2;
     return samples;
 }
 

@@ -23,8 +23,9 @@ struct SecondarySampling {
 void sample_values(const SecondaryScene& scene, std::span<const SecondaryRay> sample,
                    std::span<const Appearance> appearances, std::vector<double>& value);
 
-/// How many samples a pixel wants: `from`, doubled while the standard error of the worst appearance
-/// is above the tolerance, at most `to`.
+/// How many samples a pixel wants: `from`, doubled while the error of the worst appearance is above
+/// the tolerance, at most `to`. The error of n samples is σ n^-3/4: they lie on grids over the
+/// pixel and over lobes, where an edge meets √n of their n cells.
 ///
 /// - values: (sample, appearance) of the first ones
 int samples_wanted(std::span<const double> values, const SecondarySampling& sampling);

@@ -247,7 +247,9 @@ PictureWork picture_work(const Scene& scene, const World& world,
                                          costs.channel_value * channels));
         if (o >= sequences.size()) continue;
         const Onward onward = onward_pixels(scene, world, sequences[o]);
-        work.followed_rays += onward.followed * double(sequences[o].pose.size()) * observer.samples;
+        const bool by_need = observer.adaptive || (observer.samples >= 4 && observer.surfaces == 0);
+        work.followed_rays += onward.followed * double(sequences[o].pose.size()) *
+                              observer.samples * (by_need ? costs.samples_by_need : 1.0);
         work.onward += std::sqrt(onward.all) * frames * bands;
     }
     return work;

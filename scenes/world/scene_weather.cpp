@@ -34,7 +34,7 @@ Weather measured_weather(const Scene& scene, const World& world) {
     const Instant from = later(scene.time.start, -options.asked.before);
     const Instant to = later(scene.time.end(), options.asked.behind);
     Weather weather = cropped(read_weather(scene.weather.files, options), from, to);
-    take_upper_air(scene, from, to, weather);
+    take_upper_air(scene, world.site.longitude_deg, weather);
     return weather;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 #include "materials/air/seasonal_profile.hpp"
 
@@ -10,14 +12,12 @@ namespace diurna {
 
 namespace {
 
-constexpr double an_hour = 3600.0;
-
+/// By the hour.
 double mean_temperature(const Weather& weather, Instant from, Instant to) {
-    const double span = std::max(24.0 * an_hour, seconds_between(from, to));
     double sum = 0.0;
     int hours = 0;
-    for (; an_hour * hours < span; ++hours) {
-        sum += weather.air_at(later(from, an_hour * hours)).temperature;
+    for (Instant at = from; at < to || hours == 0; at += std::chrono::hours(1), ++hours) {
+        sum += weather.air_at(at).temperature;
     }
     return sum / hours;
 }
@@ -37,10 +37,17 @@ std::shared_ptr<const Profile> upper_air(const Scene& scene, const Weather& weat
                      mean_temperature(weather, weather.instant.front(), weather.instant.back()));
 }
 
-void take_upper_air(const Scene& scene, Instant from, Instant to, Weather& weather) {
-    if (scene.air.sounding || scene.air.table || !scene.air.by_season) return;
+void take_upper_air(const Scene& scene, double longitude_deg, Weather& weather) {
+    if (scene.air.sounding || scene.air.vacuum || !scene.air.by_season) return;
+    using std::chrono::days;
+    const Instant::duration ahead(std::llround(longitude_deg / 360.0 * 86400e3));
+    const Instant from = std::max(std::chrono::floor<days>(scene.time.start + ahead) - ahead,
+                                  weather.instant.front());
+    const Instant to =
+        std::min(std::chrono::ceil<days>(scene.time.end() + ahead) - ahead, weather.instant.back());
     const double mean = mean_temperature(weather, from, to);
     weather.above = of_season(weather, mean);
+    if (scene.air.table) return;
     weather.note +=
         fmt::format("{}air above the ground from the mean temperature, {:.1f} K: AFGL {}",
                     weather.note.empty() ? "" : "; ", mean, weather.above->name);

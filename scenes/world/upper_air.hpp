@@ -12,8 +12,9 @@ namespace diurna {
 /// sounding, the AFGL profile that is named, or Weather::above.
 std::shared_ptr<const Profile> upper_air(const Scene& scene, const Weather& weather);
 
-/// Weather::above: the profile of the season by the mean temperature at the station's height from
-/// one instant to another, a day at least. Null, and no note, where the scene has its own.
-void take_upper_air(const Scene& scene, Instant from, Instant to, Weather& weather);
+/// Weather::above: the profile of the season by the mean temperature at the station's height over
+/// the days of local mean solar time that the scene's span touches, so that parts of a day have
+/// the air of the whole. Null, and no note, where the scene has its own.
+void take_upper_air(const Scene& scene, double longitude_deg, Weather& weather);
 
 }  // namespace diurna

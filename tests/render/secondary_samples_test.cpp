@@ -71,13 +71,78 @@ TEST_CASE("samples behind panes go where they are needed", "[render][hops][adapt
     CHECK(flat > 500);
 }
 
-// 16 values of 290 and 330 K alike: σ² = 426.7 K²; n = 426.7 / 1.5² = 190, the next doubling 256.
+// 16 values of 290 and 330 K alike: σ² = 426.7 K²; n = (426.7 / 0.5²)^2/3 = 143, the next doubling
+// 256.
 TEST_CASE("a pixel wants as many samples as its spread needs", "[render][hops][adaptive]") {
     std::vector<double> values;
     for (int s = 0; s < 16; ++s) values.push_back(s % 2 == 0 ? 290.0 : 330.0);
     Appearance look;
-    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 1.5}, {&look, 1}}) == 256);
-    CHECK(samples_wanted(values, {{.from = 16, .to = 100, .tolerance = 1.5}, {&look, 1}}) == 64);
+    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 0.5}, {&look, 1}}) == 256);
+    CHECK(samples_wanted(values, {{.from = 16, .to = 100, .tolerance = 0.5}, {&look, 1}}) == 64);
     values.assign(16, 300.0);
-    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 1.5}, {&look, 1}}) == 16);
+    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 0.5}, {&look, 1}}) == 16);
+}
+
+// A mirror in the lower half of a pixel is met by half of the samples. Its lobe must be sampled as
+// wholly as where it fills the pixel, whatever the seed.
+TEST_CASE("a rough mirror that fills half a pixel has its whole lobe", "[render][hops]") {
+    const bool upright = GENERATE(true, false);
+    SecondaryStage stage;
+    // Behind the eye a warm and a cold half, which meet aside or above where the mirror, turned by
+    // 20 degrees, sends the eye's rays.
+    constexpr double aside = 42.0;  // 50 m tan 40 degrees
+    if (upright) {
+        stage.rectangle({{-90, -20, -90}, {aside, -20, -90}, {aside, -20, 90}, {-90, -20, 90}},
+                        plain(0.0), 290.0f, false);
+        stage.rectangle({{aside, -20, -90}, {200, -20, -90}, {200, -20, 90}, {aside, -20, 90}},
+                        plain(0.0), 330.0f, false);
+    } else {
+        stage.rectangle({{-90, -20, -90}, {200, -20, -90}, {200, -20, 0}, {-90, -20, 0}},
+                        plain(0.0), 290.0f, false);
+        stage.rectangle({{-90, -20, 0}, {200, -20, 0}, {200, -20, 90}, {-90, -20, 90}}, plain(0.0),
+                        330.0f, false);
+    }
+    stage.rectangle({{-10, 26.36, -10}, {10, 33.64, -10}, {10, 33.64, 0}, {-10, 26.36, 0}},
+                    metal(0.9, 0.3), 300.0f);
+    stage.wall(40.0, 30.0, plain(0.0), 300.0f);
+    const Observer eye = stage.observer(5, 2.0);
+    const RayScene scene(stage.facets);
+    const MaterialLibrary materials(stage.all);
+    const PlumeScene none(stage.plumes);
+    const SecondaryScene place{
+        .rays = scene, .facets = stage.facets, .materials = materials, .plumes = none};
+    struct Seen {
+        double covered = 0.0, met = 0.0,
+               warm = 0.0;  // of the mirror, and shares of what it mirrors
+    };
+    const auto seen_in = [&](std::size_t pixel, std::uint64_t seed) {
+        View view = cast_view(scene, stage.facets, eye, {.samples = 16, .seed = seed});
+        const SecondaryRays rays = follow_rays(view, place, eye, {.samples = 256, .seed = seed});
+        Seen seen;
+        for (std::size_t k = 0; k < rays.pixel.size(); ++k) {
+            if (rays.pixel[k] != pixel) continue;
+            for (const SecondaryRay& ray : rays.of(k)) {
+                if (ray.before < 0) {
+                    seen.covered += stage.all[index(stage.facets.material[ray.what])].needs_rays()
+                                        ? double{ray.weight}
+                                        : 0.0;
+                } else if (ray.kind == SecondaryRay::Kind::facet) {
+                    seen.met += double{ray.weight};
+                    if (stage.temperature[ray.what] > 320.0f) seen.warm += double{ray.weight};
+                }
+            }
+        }
+        seen.warm /= seen.met;
+        seen.met /= seen.covered;
+        return seen;
+    };
+    constexpr std::size_t whole = 17, half = 12;  // below the middle, and the middle
+    for (std::uint64_t seed = 1; seed < 9; ++seed) {
+        const Seen in_whole = seen_in(whole, seed), in_half = seen_in(half, seed);
+        CAPTURE(upright, seed);
+        CHECK(in_whole.covered == Approx(1.0).epsilon(1e-5));
+        CHECK(in_half.covered == Approx(0.5).margin(0.01));
+        CHECK(in_half.met == Approx(in_whole.met).margin(0.04));
+        CHECK(in_half.warm == Approx(in_whole.warm).margin(0.04));
+    }
 }

@@ -26,6 +26,9 @@ std::string scene_text(const std::string& atmosphere) {
            "[atmosphere]\n" + atmosphere;
 }
 
+/// The air that the tables hold.
+const std::string of_summer = "profile = \"MLS\"\n";
+
 std::string problem_of(const std::filesystem::path& folder, const std::string& text) {
     write_text(folder / "scene.toml", text);
     try {
@@ -45,7 +48,7 @@ struct Pair {
 
     Pair() {
         // By formulas, as the heat of a scene through a table is.
-        write_text(folder.path / "plain.toml", scene_text("drives_heat = false\n"));
+        write_text(folder.path / "plain.toml", scene_text(of_summer + "drives_heat = false\n"));
         plain = read_scene(folder.path / "plain.toml");
         const Prepared prepared = prepare(plain);
         const double sea = prepared.world.sea_level_height / 1000.0;
@@ -76,7 +79,7 @@ TEST_CASE("a scene through a table of paths looks as through the air it was made
           "[scenes][air][tabulated]") {
     const Pair pair;
     const auto& folder = pair.folder.path;
-    write_text(folder / "table.toml", scene_text("table = \"air.tp7\"\n"));
+    write_text(folder / "table.toml", scene_text(of_summer + "table = \"air.tp7\"\n"));
     const auto options = [&](const char* name) {
         JobOptions o;
         o.out = folder / name;
@@ -84,7 +87,7 @@ TEST_CASE("a scene through a table of paths looks as through the air it was made
     };
     const JobReport plain = run_job(pair.plain, options("plain"));
     const JobReport table = run_job(read_scene(folder / "table.toml"), options("table"));
-    write_text(folder / "convolved.toml", scene_text("table = \"air.7sc\"\n"));
+    write_text(folder / "convolved.toml", scene_text(of_summer + "table = \"air.7sc\"\n"));
     run_job(read_scene(folder / "convolved.toml"), options("convolved"));
     /// Worst difference of a frame's apparent temperatures [K], of what surfaces emit and the air
     /// adds: a table has no amounts of gas to join the sky's way with that to the eye.

@@ -35,7 +35,7 @@ struct PlanCosts {
     double air_per_band = 0.024;        // and frame: tables of paths and backgrounds
     double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
     double secondary_per_ray =
-        15e-6;  // that goes on off water or a mirror, through a pane or a net
+        15e-6;                     // that goes on off water or a mirror, through a pane or a net
     double samples_by_need = 3.0;  // of such a pixel, over those asked for (follow_rays.hpp)
     double secondary_per_root =
         3.2e-3;  // and band, frame: root of the pixels that send rays on; what

@@ -32,7 +32,7 @@ std::vector<double> black_body(BinRange bins, double temperature) {
 }  // namespace
 
 OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double sun_zenith_deg,
-                         std::span<const double> node_um)
+                         std::span<const double> node_um, bool sky)
     : atmosphere_(atmosphere), node_um_(node_um.begin(), node_um.end()) {
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (model == nullptr || node_um.empty()) return;
@@ -47,7 +47,7 @@ OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double 
         sun_depth_.resize(bins.size());
         medium_->depths(to_sun_, sun_depth_);
     }
-    if (node_um.back() < no_heat_um) return;
+    if (!sky || node_um.back() < no_heat_um) return;
     // ∫ L cosθ dΩ / π = ∫₀¹ 2 L cosθ d(cosθ): closer to the horizon than by the cosine's square.
     const Quadrature cosine = gauss_legendre(zenith_angles, 0.0, 1.0);
     heat_.assign(bins.size(), 0.0);

@@ -54,7 +54,8 @@ PathTable::PathTable(const RadianceInput& input, const PathExtent& extent,
                 worst = std::max(worst, error);
             }
             return worst;
-        });
+        },
+        some);
 }
 
 /// The heights of nodes are always some of the five.

@@ -182,7 +182,8 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
 }
 
 int chord_segments(double height_change_km) {
-    return 24 + static_cast<int>(12.0 * std::abs(height_change_km));
+    const double change = std::abs(height_change_km);
+    return static_cast<int>(std::min(12.0 + 24.0 * change, 24.0 + 12.0 * change));
 }
 
 SightLine chord(double from_height_km, double to_height_km, double range_km, int segments) {

@@ -132,15 +132,14 @@ void meet_cloud(const BandModel& model, const CloudCrossing& crossing,
     }
 }
 
-/// The sky's radiance as measured light says it is, from the model's; `black`: of the air here.
+}  // namespace
+
 double scaled_sky(const LightScale& scale, double radiance, double black) {
     if (radiance < black) {
         radiance = black * -std::expm1(scale.sky_column * std::log1p(-radiance / black));
     }
     return scale.sky_heat * radiance;
 }
-
-}  // namespace
 
 /// A line that does not know its ends has in each segment the temperature of its middle.
 PathSpectrum band_model_path(const BandModel& model, const SightLine& whole,
@@ -167,6 +166,10 @@ PathSpectrum band_model_path(const BandModel& model, const SightLine& whole,
     };
     for (std::size_t segment = 0; segment < line.size(); ++segment) {
         meet_clouds(segment);
+        // What a whole cover hides is not asked for.
+        if (met == nullptr &&
+            std::all_of(gap.begin(), gap.end(), [](double g) { return g == 0.0; }))
+            return {std::move(near.transmittance), std::move(radiance)};
         medium.add(line, segment, amounts);
         medium.spread(amounts);
         medium.depths(amounts, bin_depth);

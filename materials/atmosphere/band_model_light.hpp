@@ -21,4 +21,9 @@ std::vector<double> band_model_sky(const BandModel& model, double height_km, dou
 std::vector<double> band_model_sun(const BandModel& model, double height_km, double zenith_deg,
                                    std::span<const double> node_um, const SightLine& onward = {});
 
+/// The sky's radiance as measured light says it is, from the model's.
+///
+/// - black: of the air where it arrives
+double scaled_sky(const LightScale& scale, double radiance, double black);
+
 }  // namespace diurna

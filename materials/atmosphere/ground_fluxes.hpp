@@ -2,6 +2,7 @@
 
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/atmosphere/sun_field.hpp"
+#include "materials/radiation/band.hpp"
 
 namespace diurna {
 
@@ -22,6 +23,14 @@ struct GroundFluxes {
 GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
 /// Its parts: sunlight alone, and longwave.
 GroundFluxes ground_sunlight(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
+/// - sunlight: of the nodes of sunlight_band()
+GroundFluxes ground_sunlight(const SunField& sunlight, double height_km);
 double ground_longwave(const Atmosphere& atmosphere, double height_km);
+
+/// Where these are summed.
+const Band& sunlight_band();
+const Band& longwave_band();
+/// Water's rotation band: beyond, a hundred metres of air are black.
+inline constexpr double black_air_um = 28.0;
 
 }  // namespace diurna

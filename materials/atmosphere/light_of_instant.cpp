@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "materials/atmosphere/cloud_modification.hpp"
+#include "materials/atmosphere/ground_sky.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -22,24 +25,28 @@ BandModel with_black_share(const BandModel& model, double share) {
 }
 
 /// - most_cloud: share of cloud that sunlight allows
-BandModel with_longwave(const BandModel& model, double height_km, double wanted,
-                        double most_cloud) {
-    const double clear = ground_longwave(with_black_share(model, 0.0), height_km);
-    BandModel overcast = model;
-    overcast.cloud.fraction = overcast.cloud.emissivity = 1.0;
-    const double full = ground_longwave(overcast, height_km);
+/// - got: written: the longwave of what is returned
+BandModel with_longwave(const BandModel& model, double height_km, double wanted, double most_cloud,
+                        double& got) {
+    const LightScale as_is{};
+    std::optional<GroundSky> sky(std::in_place, model, height_km);
+    const double clear = sky->longwave(0.0, as_is), full = sky->longwave(1.0, as_is);
     const double share =
         full > clear + 1.0 ? std::clamp((wanted - clear) / (full - clear), 0.0, most_cloud) : 0.0;
     BandModel fitted = with_black_share(model, share);
-    const double got = std::lerp(clear, full, share);
+    if (share > 0.0 && model.cloud.fraction <= 0.0) sky.emplace(fitted, height_km);
+    const auto longwave = [&] { return sky->longwave(share, fitted.scale); };
+    fitted.scale.sky_column = fitted.scale.sky_heat = 1.0;
+    got = longwave();
     constexpr double close = 0.05;  // [W m⁻²]
     if (std::abs(got - wanted) < close) return fitted;
     // Secants in the logarithm of the column, which longwave rises with.
     const double least = std::log(0.02), most = std::log(50.0);
-    double last = 0.0, last_got = got, here = got < wanted ? 0.2 : -0.2, now = got;
+    double last = 0.0, last_got = got, here = got < wanted ? 0.2 : -0.2;
+    double& now = got;
     for (int i = 0; i < 12; ++i) {
         fitted.scale.sky_column = std::exp(here);
-        now = ground_longwave(fitted, height_km);
+        now = longwave();
         const double slope = (now - last_got) / (here - last);
         if (std::abs(now - wanted) < close || !(slope > 0.0)) break;
         last = here;
@@ -51,8 +58,9 @@ BandModel with_longwave(const BandModel& model, double height_km, double wanted,
     if (std::abs(now - wanted) < close) return fitted;
     // Longwave is linear in the grey factor; beyond 28 µm it is the air's near by.
     fitted.scale.sky_heat = 1.1;
-    const double slope = (ground_longwave(fitted, height_km) - now) / 0.1;
+    const double slope = (longwave() - now) / 0.1;
     fitted.scale.sky_heat = slope > 0.0 ? std::max(0.0, 1.0 + (wanted - now) / slope) : 1.0;
+    got = longwave();
     return fitted;
 }
 
@@ -61,23 +69,29 @@ double scale_of(double wanted, double own) {
     return own > least_light ? std::max(0.0, wanted) / own : 1.0;
 }
 
-/// The share of the sky that can be cloud where so much of the clear model's beam is left: a warm
-/// sky behind a clear beam is warm air, not cloud. All of it under a sun too low to tell.
-double cloud_allowed(const BandModel& model, const SunLight& sun, double height_km, double beam) {
-    constexpr double lowest_sun_deg = 5.0;
-    if (sun.zenith_deg > 90.0 - lowest_sun_deg || sun.moon || std::isnan(beam)) return 1.0;
+/// Sunlight under a cloudless sky.
+SunField clear_sunlight(const BandModel& model, const SunLight& sun) {
     BandModel clear = model;
     clear.cloud.sunlit_fraction = 0.0;
-    const double own = ground_sunlight(clear, sun, height_km).sun_direct;
+    return {clear, sun, sunlight_band().node_um};
+}
+
+/// The share of the sky that can be cloud where so much of the clear model's beam is left: a warm
+/// sky behind a clear beam is warm air, not cloud. All of it under a sun too low to tell.
+double cloud_allowed(const SunField* clear, const SunLight& sun, double height_km, double beam) {
+    constexpr double lowest_sun_deg = 5.0;
+    if (sun.zenith_deg > 90.0 - lowest_sun_deg || clear == nullptr || std::isnan(beam)) return 1.0;
+    const double own = ground_sunlight(*clear, height_km).sun_direct;
     return 1.0 - std::clamp(scale_of(beam, own), 0.0, 1.0);
 }
 
 /// Beam and diffuse made to be the known ones, and reported in `sums`.
 BandModel with_sunlight(const BandModel& model, bool observed_clear, const SunLight& sun,
-                        double height_km, const KnownLight& known, GroundFluxes& sums) {
+                        const SunField& clear, double height_km, const KnownLight& known,
+                        GroundFluxes& sums) {
     BandModel fitted = model;
     fitted.cloud.sunlit_fraction = 0.0;
-    sums = ground_sunlight(fitted, sun, height_km);
+    sums = ground_sunlight(clear, height_km);
     const double cosine = std::max(0.0, std::cos(radians(sun.zenith_deg)));
     const double global = sums.sun_direct * cosine + sums.sun_diffuse;
     const double beam = scale_of(known.direct_normal, sums.sun_direct);
@@ -87,7 +101,7 @@ BandModel with_sunlight(const BandModel& model, bool observed_clear, const SunLi
             cloud_of_effect({.global = std::max(0.0, all) / global, .beam = beam}, cosine);
         fitted.cloud.sunlit_fraction = cloud.fraction;
         fitted.cloud.optical_depth = cloud.optical_depth;
-        sums = ground_sunlight(fitted, sun, height_km);
+        sums = ground_sunlight(clear.under(fitted.cloud), height_km);
     }
     fitted.scale.beam = scale_of(known.direct_normal, sums.sun_direct);
     fitted.scale.diffuse = scale_of(known.diffuse, sums.sun_diffuse);
@@ -102,21 +116,26 @@ LightOfInstant light_of_instant(const BandModel& model, const SunLight& sun, dou
                                 const KnownLight& known) {
     BandModel fitted = model;
     const bool heat_known = !std::isnan(known.longwave_down);
+    std::optional<SunField> clear;
+    if (sun.zenith_deg < 90.0 && !sun.moon) clear = clear_sunlight(model, sun);
+    const SunField* const sunlight = clear ? &*clear : nullptr;
+    double longwave = 0.0;
     if (heat_known) {
-        fitted = with_longwave(model, height_km, known.longwave_down,
-                               cloud_allowed(model, sun, height_km, known.direct_normal));
+        fitted =
+            with_longwave(model, height_km, known.longwave_down,
+                          cloud_allowed(sunlight, sun, height_km, known.direct_normal), longwave);
     }
     GroundFluxes sums;
     const bool sun_known = !std::isnan(known.direct_normal) && !std::isnan(known.diffuse);
-    if (sun.zenith_deg < 90.0 && !sun.moon) {
+    if (sunlight != nullptr) {
         if (sun_known) {
-            fitted =
-                with_sunlight(fitted, model.cloud.fraction == 0.0, sun, height_km, known, sums);
+            fitted = with_sunlight(fitted, model.cloud.fraction == 0.0, sun, *sunlight, height_km,
+                                   known, sums);
         } else {
             sums = ground_sunlight(fitted, sun, height_km);
         }
     }
-    sums.thermal = ground_longwave(fitted, height_km);
+    sums.thermal = heat_known ? longwave : ground_longwave(fitted, height_km);
     return {.air = fitted, .sums = sums, .cloud_cover = fitted.cloud.fraction};
 }
 

@@ -42,10 +42,11 @@ Medium::Medium(const BandModel& model, BinRange bins)
     constexpr auto carbon_dioxide = static_cast<std::size_t>(Gas::carbon_dioxide);
     const double profile_co2 = model.profile.mixing_ratio_ppm[carbon_dioxide].front();
     co2_scale_ = profile_co2 > 0.0 ? model.co2_ppm / profile_co2 : 0.0;
-    for (const MediumTables::Run& run : tables_.runs) {  // runs stand in the order of their groups
-        const bool absorbs = run.first < bins.last && run.first + run.bins > bins.first;
-        const bool listed = !active_.empty() && active_.back() == run.group;
-        if (absorbs && !listed) active_.push_back(run.group);
+    for (std::size_t i = 0; i < tables_.runs.size(); ++i) {  // in the order of their groups
+        const MediumTables::Run& run = tables_.runs[i];
+        if (run.first >= bins.last || run.first + run.bins <= bins.first) continue;
+        run_.push_back(i);
+        if (active_.empty() || active_.back() != run.group) active_.push_back(run.group);
     }
     for (const std::size_t group : active_) {
         pressure_power_.push_back(tables_.groups[group].n);
@@ -220,40 +221,58 @@ void Medium::add(const SightLine& line, std::size_t segment, Amounts& amounts) c
 }
 
 void Medium::depths(const Amounts& amounts, std::span<double> out) const {
-    find_depths(amounts, true, out);
+    find_depths(amounts, nullptr, true, out);
+}
+
+void Medium::depths(const Amounts& amounts, const Amounts& more, std::span<double> out) const {
+    find_depths(amounts, &more, true, out);
 }
 
 void Medium::transmittances(const Amounts& amounts, std::span<double> out) const {
-    find_depths(amounts, true, out);
+    find_depths(amounts, nullptr, true, out);
     negative_exponentials(out);
 }
 
 void Medium::absorption_transmittances(const Amounts& amounts, std::span<double> out) const {
-    find_depths(amounts, false, out);
+    find_depths(amounts, nullptr, false, out);
     negative_exponentials(out);
 }
 
-void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<double> out) const {
+void Medium::find_depths(const Amounts& amounts, const Amounts* more, bool scattering,
+                         std::span<double> out) const {
     const std::array<const double*, MediumTables::linear_count> k = {
         tables_.linear[0].data() + bins_.first, tables_.linear[1].data() + bins_.first,
         tables_.linear[2].data() + bins_.first, tables_.linear[3].data() + bins_.first,
         tables_.linear[4].data() + bins_.first, tables_.linear[5].data() + bins_.first,
         tables_.linear[6].data() + bins_.first};
     std::array<double, MediumTables::linear_count> w = amounts.linear;
+    for (std::size_t i = 0; more != nullptr && i < w.size(); ++i) w[i] += more->linear[i];
     if (!scattering) w[MediumTables::rayleigh] = 0.0;
     const std::size_t count = bins_.size();
     // Gases eight bins at a time, past the end of their runs and of the range: runs are filled up
     // with values that count nothing.
     constexpr std::size_t lanes = MediumTables::run_padding;
-    std::vector<float> gas(count + lanes, 0.0f);
-    for (const MediumTables::Run& run : tables_.runs) {
+    constexpr std::size_t few = 128;  // bins whose sums need no memory of their own
+    std::array<float, few> on_stack;
+    std::vector<float> in_memory;
+    if (count + lanes > few) in_memory.resize(count + lanes);
+    float* const gas = in_memory.empty() ? on_stack.data() : in_memory.data();
+    std::fill(gas, gas + count + lanes, 0.0f);
+    std::size_t group = tables_.groups.size();
+    float ln_amount = 0.0f;
+    for (const std::size_t i : run_) {
+        const MediumTables::Run& run = tables_.runs[i];
         const std::size_t from = std::max(run.first, bins_.first);
         const std::size_t to = std::min(run.first + run.bins, bins_.last);
-        if (from >= to) continue;
         const float* ln_c = run.ln_c.data() + (from - run.first);
         const float* a = run.a.data() + (from - run.first);
-        float* depth = gas.data() + (from - bins_.first);
-        const auto ln_amount = static_cast<float>(std::log(amounts.gas[run.group] + 1e-300));
+        float* depth = gas + (from - bins_.first);
+        if (run.group != group) {
+            group = run.group;
+            const double met =
+                amounts.gas[group] + (more != nullptr ? more->gas[group] : 0.0) + 1e-300;
+            ln_amount = static_cast<float>(std::log(met));
+        }
         for (std::size_t block = 0; block < to - from; block += lanes) {
 #pragma omp simd
             for (std::size_t i = 0; i < lanes; ++i) {
@@ -262,12 +281,15 @@ void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<doub
             }
         }
     }
-    const double* const haze =
-        scattering && !amounts.aerosol.empty() ? amounts.aerosol.data() : no_depth_.data();
+    const bool aerosol = scattering && !amounts.aerosol.empty();
+    const double* const haze = aerosol ? amounts.aerosol.data() : no_depth_.data();
+    const double* const more_haze =
+        aerosol && more != nullptr ? more->aerosol.data() : no_depth_.data();
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = w[0] * k[0][i] + w[1] * k[1][i] + w[2] * k[2][i] + w[3] * k[3][i] +
-                 w[4] * k[4][i] + w[5] * k[5][i] + w[6] * k[6][i] + haze[i] + double{gas[i]};
+                 w[4] * k[4][i] + w[5] * k[5][i] + w[6] * k[6][i] + (haze[i] + more_haze[i]) +
+                 double{gas[i]};
     }
 }
 

@@ -50,8 +50,14 @@ class Medium {
     void add(double height_km, double length_km, std::span<const double> aerosol,
              Amounts& amounts) const;
 
+    /// Adds an aerosol's depth at 0.55 µm to the weights of its nodes around a dryness.
+    void add_aerosol(const BandModelTables::Aerosol& aerosol, double ln_dryness, double depth,
+                     std::span<double> node) const;
+
     /// Optical depth of every bin for the amounts met; and transmittance.
     void depths(const Amounts& amounts, std::span<double> out) const;
+    /// Of two lines together.
+    void depths(const Amounts& amounts, const Amounts& more, std::span<double> out) const;
     void transmittances(const Amounts& amounts, std::span<double> out) const;
     /// Transmittance of gases and continua alone: neither Rayleigh nor aerosol.
     void absorption_transmittances(const Amounts& amounts, std::span<double> out) const;
@@ -60,11 +66,10 @@ class Medium {
     using Tables = BandModelTables;
     static constexpr std::size_t group_lanes = 16;
 
-    void find_depths(const Amounts& amounts, bool scattering, std::span<double> out) const;
+    /// - more: null: none
+    void find_depths(const Amounts& amounts, const Amounts* more, bool scattering,
+                     std::span<double> out) const;
     void add_gases(const AirSample& air, double length_km, Amounts& amounts) const;
-    /// Adds depth at 0.55 µm to the nodes around a dryness.
-    void add_aerosol(const Tables::Aerosol& aerosol, double ln_dryness, double depth,
-                     std::span<double> node) const;
 
     const Tables& tables_;
     const BandModel& model_;
@@ -73,6 +78,7 @@ class Medium {
     std::vector<double> no_depth_;  // (bin) zeros
     double co2_scale_ = 1.0;
     std::vector<std::size_t> active_;                         // groups that absorb in these bins
+    std::vector<std::size_t> run_;                            // places of their runs there
     std::vector<double> pressure_power_, temperature_power_;  // theirs, and zeros behind
 };
 

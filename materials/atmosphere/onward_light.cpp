@@ -32,7 +32,7 @@ std::vector<double> black_body(BinRange bins, double temperature) {
 }  // namespace
 
 OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double sun_zenith_deg,
-                         std::span<const double> node_um)
+                         std::span<const double> node_um, bool sky)
     : atmosphere_(atmosphere), node_um_(node_um.begin(), node_um.end()) {
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (model == nullptr || node_um.empty()) return;
@@ -47,7 +47,7 @@ OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double 
         sun_depth_.resize(bins.size());
         medium_->depths(to_sun_, sun_depth_);
     }
-    if (node_um.back() < no_heat_um) return;
+    if (!sky || node_um.back() < no_heat_um) return;
     // ∫ L cosθ dΩ / π = ∫₀¹ 2 L cosθ d(cosθ): closer to the horizon than by the cosine's square.
     const Quadrature cosine = gauss_legendre(zenith_angles, 0.0, 1.0);
     heat_.assign(bins.size(), 0.0);
@@ -97,12 +97,13 @@ void OnwardLight::add_heat(const SkyLine& line, const Amounts* more,
     std::vector<double> radiance(count, 0.0), covered(count, 0.0);
     std::array<std::vector<double>, 2> depths, transmittances;  // of odd edges, and of even ones
     for (auto* both : {&depths, &transmittances}) both->fill(std::vector<double>(count));
-    Amounts met;
     for (std::size_t edge = 0; edge < line.met.size(); ++edge) {
         std::vector<double>&depth = depths[edge % 2], &tau = transmittances[edge % 2];
-        met = line.met[edge];
-        if (more != nullptr) met.add(*more);
-        medium_->depths(met, depth);
+        if (more != nullptr) {
+            medium_->depths(line.met[edge], *more, depth);
+        } else {
+            medium_->depths(line.met[edge], depth);
+        }
         tau = depth;
         negative_exponentials(tau);
         if (edge > 0) {
@@ -151,9 +152,7 @@ OnwardLight::Way OnwardLight::way(const SightLine& from_eye) const {
     if (sun_depth_.empty()) {
         medium_->transmittances(met, sun);
     } else {
-        Amounts both = to_sun_;
-        both.add(met);
-        medium_->depths(both, sun);
+        medium_->depths(to_sun_, met, sun);
         for (std::size_t b = 0; b < count; ++b) sun[b] = fast_exp(sun_depth_[b] - sun[b]);
     }
     const std::vector<double> gap = through_clouds(medium_->model(), from_eye, node_um_);

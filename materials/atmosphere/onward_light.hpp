@@ -27,8 +27,10 @@ namespace diurna {
 class OnwardLight {
  public:
     /// - atmosphere: to outlive it
+    /// - sky: whether Way::sky_heat is wanted, most of the work; else it is that of the place's own
+    ///   heat, the path's transmittance
     OnwardLight(const Atmosphere& atmosphere, double height_km, double sun_zenith_deg,
-                std::span<const double> node_um);
+                std::span<const double> node_um, bool sky = true);
 
     /// A way to the place, and which share of the sunlight and of the sky's heat there gets to its
     /// beginning, (node).

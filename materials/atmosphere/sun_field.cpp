@@ -14,6 +14,10 @@ namespace diurna {
 SunField::SunField(const BandModel& model, const SunLight& sun, std::span<const double> node_um)
     : air_(std::make_shared<const SunlitAir>(sunlit_air(model, sun, node_um))) {}
 
+SunField SunField::under(const CloudLayer& cloud) const {
+    return SunField(std::make_shared<const SunlitAir>(sunlit_air_under(*air_, cloud)));
+}
+
 std::vector<double> SunField::path(const SightLine& line, double zenith_deg,
                                    double azimuth_from_sun_deg) const {
     const auto turn = turns(air_->sun, zenith_deg, std::span(&azimuth_from_sun_deg, 1));

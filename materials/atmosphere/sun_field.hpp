@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "materials/air/sight_line.hpp"
@@ -31,6 +32,8 @@ struct SunFlux {
 class SunField {
  public:
     SunField(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
+    /// The same air and sun under another cloud: a third of the work of making it.
+    SunField under(const CloudLayer& cloud) const;
 
     /// Sunlight scattered into a line on its way from its far end to its start, (node)
     /// [W m⁻² sr⁻¹ µm⁻¹]. What is behind its end is not in it.
@@ -65,6 +68,8 @@ class SunField {
     SunFlux flux(double height_km) const;
 
  private:
+    explicit SunField(std::shared_ptr<const SunlitAir> air) : air_(std::move(air)) {}
+
     std::shared_ptr<const SunlitAir> air_;
 };
 

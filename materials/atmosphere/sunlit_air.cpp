@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "materials/atmosphere/beam_aerosol.hpp"
 #include "materials/atmosphere/drop_absorption.hpp"
 #include "materials/atmosphere/scaled_aerosol.hpp"
 #include "materials/atmosphere/solar_spectrum.hpp"
 #include "materials/atmosphere/two_stream.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/fast_exp.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -36,6 +39,7 @@ Beam follow_beam(SunlitAir& air, const Medium& medium) {
     Beam beam{std::vector<Amounts>(levels, medium.none()),
               PerLevel(levels, std::vector<double>(count, 0.0))};
     air.peak.assign(levels, count);
+    const std::vector<double> no_aerosol(count, 0.0);
     for (std::size_t i = 0; i < levels; ++i) {
         const double z = air.level[i];
         air.lit.push_back(!ends_on_ground(air.model, z, air.sun.zenith_deg));
@@ -44,13 +48,12 @@ Beam follow_beam(SunlitAir& air, const Medium& medium) {
             constexpr double no_end = std::numeric_limits<double>::infinity();
             const SightLine line =
                 line_of(air.model, z, air.sun.zenith_deg, no_end, beam_segmentation);
+            BeamAerosol aerosol(medium);
             for (std::size_t s = 0; s < line.size(); ++s) {
-                const ScaledAerosol here = scaled_aerosol(medium, line.height_km[s]);
-                medium.add(line.height_km[s], line.length_km[s], here.extinction, beam.met[i]);
-                for (std::size_t b = 0; b < count; ++b) {
-                    air.peak.value[i][b] += line.length_km[s] * here.peak(b);
-                }
+                aerosol.add(line.height_km[s], line.length_km[s]);
+                medium.add(line.height_km[s], line.length_km[s], no_aerosol, beam.met[i]);
             }
+            aerosol.put(beam.met[i].aerosol, air.peak.value[i]);
         }
         medium.transmittances(beam.met[i], beam.irradiance[i]);
         for (std::size_t b = 0; b < count; ++b) beam.irradiance[i][b] *= air.above_air[b];
@@ -105,117 +108,119 @@ PerLevel absorption_above(const SunlitAir& air, const Medium& medium) {
     return absorption;
 }
 
-/// What the layer between two levels holds, of one bin.
-struct LayerContent {
-    double depth;       // optical
-    double scattering;  // optical depth of it
-    double asymmetry;
-};
-
-/// The layers between levels, from which two streams follow.
-struct Layering {
-    const SunlitAir& air;
-    const PerLevel& beam;
-    PerLevel absorption;
-    std::vector<ScaledAerosol> edge, middle;  // at levels, and between them
-    double mu;                                // of the beam where it is scattered
-    std::vector<double> drops;                // (bin) the clouds' scaled optical depth
-    std::vector<double> drop_albedo;          // (bin) scaled single-scattering albedo
-    std::size_t base;                         // the layer they lie in
-
-    Layering(const SunlitAir& lit_air, const Medium& medium, const PerLevel& irradiance)
-        : air(lit_air),
-          beam(irradiance),
-          absorption(absorption_above(lit_air, medium)),
-          mu(std::clamp(lit_air.cosine, least_cosine, 1.0)),
-          base(lit_air.at_height(lit_air.model.cloud.base_km).low) {
-        for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {
-            const double albedo = std::min(0.9999, drop_single_albedo(bin_middles_um()[b]));
-            const double left = 1.0 - cloud_peak * albedo;
-            drops.push_back(lit_air.model.cloud.optical_depth * left);
-            drop_albedo.push_back((1.0 - cloud_peak) * albedo / left);
-        }
-        for (const double z : air.level) edge.push_back(scaled_aerosol(medium, z));
-        for (std::size_t i = 0; i + 1 < air.level.size(); ++i) {
-            middle.push_back(scaled_aerosol(medium, 0.5 * (air.level[i] + air.level[i + 1])));
-        }
-    }
-
-    /// Mean extinction of a layer that thins exponentially is not that of its middle: Simpson's
-    /// rule.
-    LayerContent content(std::size_t i, std::size_t b) const {
+/// What the layers between levels hold. Mean extinction of a layer that thins exponentially is not
+/// that of its middle: Simpson's rule.
+LitLayers layers_of(const SunlitAir& air, const Medium& medium, PerLevel beam) {
+    const std::size_t count = air.bins.size();
+    const PerLevel absorption = absorption_above(air, medium);
+    LitLayers layers{.content = {}, .beam = std::move(beam)};
+    ScaledAerosol low = scaled_aerosol(medium, air.level[0]);
+    for (std::size_t i = 0; i + 1 < air.level.size(); ++i) {
+        const ScaledAerosol middle =
+            scaled_aerosol(medium, 0.5 * (air.level[i] + air.level[i + 1]));
+        ScaledAerosol high = scaled_aerosol(medium, air.level[i + 1]);
         const double thickness = air.level[i + 1] - air.level[i];
-        const auto depth = [&](auto&& of) {
-            return thickness * ((of(edge[i]) + 4.0 * of(middle[i]) + of(edge[i + 1])) / 6.0);
+        const auto depth = [&](double a, double b, double c) {
+            return thickness * ((a + 4.0 * b + c) / 6.0);
         };
-        const double rayleigh = depth([&](const ScaledAerosol& s) { return s.whole.rayleigh[b]; });
-        const double extinction = depth([&](const ScaledAerosol& s) { return s.extinction[b]; });
-        const double scattering = depth([&](const ScaledAerosol& s) { return s.scattering[b]; });
-        const double gas =
-            std::log(std::max(absorption[i + 1][b], 1e-30) / std::max(absorption[i][b], 1e-30));
-        const double both = rayleigh + scattering;
-        return {std::max(1e-12, rayleigh + extinction + std::max(0.0, gas)), both,
-                both > 0.0 ? scattering * middle[i].asymmetry[b] / both : 0.0};
-    }
-    ScatteringLayer clear(const LayerContent& c, std::size_t i, std::size_t b) const {
-        return {c.depth, std::min(1.0, c.scattering / c.depth), c.asymmetry, beam[i + 1][b],
-                beam[i][b]};
-    }
-    /// The same layer where clouds stand in it or above.
-    ScatteringLayer clouded(const LayerContent& c, std::size_t i, std::size_t b,
-                            ScatteringLayer layer) const {
-        if (i == base) {
-            const double scattered = drop_albedo[b] * drops[b], sum = c.scattering + scattered;
-            layer.asymmetry = (c.scattering * c.asymmetry +
-                               scattered * cloud_asymmetry / (1.0 + cloud_asymmetry)) /
-                              sum;
-            layer.depth = c.depth + drops[b];
-            layer.single_albedo = sum / layer.depth;
-            layer.beam_out *= std::exp(-drops[b] / mu);
-        } else if (i < base) {
-            layer.beam_in *= std::exp(-drops[b] / mu);
-            layer.beam_out *= std::exp(-drops[b] / mu);
+        std::vector<LitLayers::Content>& content = layers.content.emplace_back();
+        content.reserve(count);
+        for (std::size_t b = 0; b < count; ++b) {
+            const double rayleigh =
+                depth(low.whole.rayleigh[b], middle.whole.rayleigh[b], high.whole.rayleigh[b]);
+            const double extinction =
+                depth(low.extinction[b], middle.extinction[b], high.extinction[b]);
+            const double scattering =
+                depth(low.scattering[b], middle.scattering[b], high.scattering[b]);
+            const double gas =
+                std::log(std::max(absorption[i + 1][b], 1e-30) / std::max(absorption[i][b], 1e-30));
+            const double both = rayleigh + scattering;
+            content.push_back({std::max(1e-12, rayleigh + extinction + std::max(0.0, gas)), both,
+                               both > 0.0 ? scattering * middle.asymmetry[b] / both : 0.0});
         }
-        return layer;
+        low = std::move(high);
     }
-};
-
-/// Two streams of one bin into the fluxes at levels.
-void keep_flux(const std::vector<ScatteringLayer>& layers, double mu, double albedo, std::size_t b,
-               DiffuseField& field) {
-    const DiffuseFlux flux = two_stream(layers, mu, albedo);
-    for (std::size_t i = 0; i < flux.up.size(); ++i) {
-        field.up.value[flux.up.size() - 1 - i][b] = std::max(0.0, flux.up[i]);
-        field.down.value[flux.up.size() - 1 - i][b] = std::max(0.0, flux.down[i]);
-    }
+    return layers;
 }
 
-void spread_light(SunlitAir& air, const Medium& medium, const PerLevel& beam) {
-    const std::size_t levels = air.level.size(), count = air.bins.size();
-    const Layering layering(air, medium, beam);
-    for (DiffuseField* field : {&air.clear, &air.cloudy}) {
-        field->up.assign(levels, count);
-        field->down.assign(levels, count);
+ScatteringLayer clear_layer(const LitLayers& layers, std::size_t i, std::size_t b) {
+    const LitLayers::Content& c = layers.content[i][b];
+    return {c.depth, std::min(1.0, c.scattering / c.depth), c.asymmetry, layers.beam[i + 1][b],
+            layers.beam[i][b]};
+}
+
+/// The clouds' drops in one bin.
+struct Drops {
+    double depth;   // scaled optical depth
+    double albedo;  // scaled single-scattering albedo
+    std::size_t layer;
+};
+
+/// A layer where clouds stand in it or above.
+ScatteringLayer clouded_layer(const LitLayers& layers, std::size_t i, std::size_t b,
+                              const Drops& drops, double mu) {
+    const LitLayers::Content& c = layers.content[i][b];
+    ScatteringLayer layer = clear_layer(layers, i, b);
+    if (i == drops.layer) {
+        const double scattered = drops.albedo * drops.depth, sum = c.scattering + scattered;
+        layer.asymmetry =
+            (c.scattering * c.asymmetry + scattered * cloud_asymmetry / (1.0 + cloud_asymmetry)) /
+            sum;
+        layer.depth = c.depth + drops.depth;
+        layer.single_albedo = sum / layer.depth;
+        layer.beam_out *= std::exp(-drops.depth / mu);
+    } else if (i < drops.layer) {
+        layer.beam_in *= std::exp(-drops.depth / mu);
+        layer.beam_out *= std::exp(-drops.depth / mu);
     }
-    const bool clouds = air.model.cloud.over_sun() > 0.0;
-    if (clouds) air.beam_through_cloud = std::exp(-air.model.cloud.optical_depth / layering.mu);
-    std::vector<ScatteringLayer> layers, covered;
+    return layer;
+}
+
+/// Where the beam is scattered.
+double beam_cosine(const SunlitAir& air) { return std::clamp(air.cosine, least_cosine, 1.0); }
+
+/// Two streams of every bin into the fluxes at levels.
+///
+/// - layer: layer(i, b)
+template <class Layer>
+DiffuseField diffuse_field(const SunlitAir& air, const Layer& layer) {
+    const std::size_t levels = air.level.size(), count = air.bins.size();
+    DiffuseField field;
+    field.up.assign(levels, count);
+    field.down.assign(levels, count);
+    std::vector<ScatteringLayer> layers;
     for (std::size_t b = 0; b < count; ++b) {
         if (!(air.above_air[b] > 0.0)) continue;
         layers.clear();
-        covered.clear();
-        for (std::size_t i = levels - 1; i-- > 0;) {  // from the top down
-            const LayerContent content = layering.content(i, b);
-            layers.push_back(layering.clear(content, i, b));
-            if (clouds) covered.push_back(layering.clouded(content, i, b, layers.back()));
+        for (std::size_t i = levels - 1; i-- > 0;) layers.push_back(layer(i, b));  // from the top
+        const DiffuseFlux flux = two_stream(layers, beam_cosine(air), air.sun.ground_albedo);
+        for (std::size_t i = 0; i < levels; ++i) {
+            field.up.value[levels - 1 - i][b] = std::max(0.0, flux.up[i]);
+            field.down.value[levels - 1 - i][b] = std::max(0.0, flux.down[i]);
         }
-        keep_flux(layers, layering.mu, air.sun.ground_albedo, b, air.clear);
-        if (clouds) keep_flux(covered, layering.mu, air.sun.ground_albedo, b, air.cloudy);
     }
-    for (DiffuseField* field : {&air.clear, &air.cloudy}) {
-        field->up.find_slopes(air.level);
-        field->down.find_slopes(air.level);
+    field.up.find_slopes(air.level);
+    field.down.find_slopes(air.level);
+    return field;
+}
+
+void spread_under_cloud(SunlitAir& air) {
+    const CloudLayer& cloud = air.model.cloud;
+    air.cloudy = {};
+    air.beam_through_cloud = 1.0;
+    if (!(cloud.over_sun() > 0.0)) return;
+    const double mu = beam_cosine(air);
+    air.beam_through_cloud = std::exp(-cloud.optical_depth / mu);
+    const std::size_t layer = air.at_height(cloud.base_km).low;
+    std::vector<Drops> drops;  // (bin)
+    for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {
+        const double albedo = std::min(0.9999, drop_single_albedo(bin_middles_um()[b]));
+        const double left = 1.0 - cloud_peak * albedo;
+        drops.push_back({cloud.optical_depth * left, (1.0 - cloud_peak) * albedo / left, layer});
     }
+    air.cloudy = diffuse_field(air, [&](std::size_t i, std::size_t b) {
+        return clouded_layer(*air.layers, i, b, drops[b], mu);
+    });
 }
 
 }  // namespace
@@ -255,18 +260,29 @@ SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<cons
     air.cosine = std::cos(radians(sun.zenith_deg));
     if (node_um.empty()) return air;
     const Medium medium(air.model, air.bins);
-    const Beam beam = follow_beam(air, medium);
+    Beam beam = follow_beam(air, medium);
     keep_amounts(air, beam.met);
-    spread_light(air, medium, beam.irradiance);
+    air.layers =
+        std::make_shared<const LitLayers>(layers_of(air, medium, std::move(beam.irradiance)));
+    air.clear = diffuse_field(
+        air, [&](std::size_t i, std::size_t b) { return clear_layer(*air.layers, i, b); });
+    spread_under_cloud(air);
+    return air;
+}
+
+SunlitAir sunlit_air_under(SunlitAir air, const CloudLayer& cloud) {
+    air.model.cloud = cloud;
+    check(air.model);
+    if (air.layers) spread_under_cloud(air);
     return air;
 }
 
 Amounts amounts_to_sun(const SunlitAir& air, const Medium& medium, const HermiteWeights& height) {
     Amounts met = medium.none();
     const std::size_t gases = met.gas.size();
-    for (std::size_t k = 0; k < gases; ++k) met.gas[k] = std::exp(air.ln_amount.at(height, k));
+    for (std::size_t k = 0; k < gases; ++k) met.gas[k] = fast_exp(air.ln_amount.at(height, k));
     for (std::size_t k = 0; k < met.linear.size(); ++k) {
-        met.linear[k] = std::exp(air.ln_amount.at(height, gases + k));
+        met.linear[k] = fast_exp(air.ln_amount.at(height, gases + k));
     }
     for (std::size_t b = 0; b < met.aerosol.size(); ++b) {
         met.aerosol[b] = air.aerosol.at(height, b);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,18 @@ struct DiffuseField {
     LevelCurves up, down;
 };
 
+/// What the plane layers between levels hold, and the beam at their edges, without cloud: two
+/// streams of any cloud follow from it.
+struct LitLayers {
+    struct Content {
+        double depth;       // optical
+        double scattering;  // optical depth of it
+        double asymmetry;
+    };
+    std::vector<std::vector<Content>> content;  // (layer, from the ground up)(bin)
+    std::vector<std::vector<double>> beam;      // (level)(bin)
+};
+
 /// Sunlight by height, per bin: what the beam has met on its way, and what two streams carry of the
 /// light it lost. All that a SunField keeps.
 struct SunlitAir {
@@ -45,7 +58,8 @@ struct SunlitAir {
     /// depths (bin) of scaled aerosol, and what scaling took from it. Levels the sun does not reach
     /// have those of the lowest it does.
     LevelCurves ln_amount, aerosol, peak;
-    DiffuseField clear, cloudy;  // under a sky without and with cloud
+    DiffuseField clear, cloudy;  // under a sky without and with cloud; the latter empty: none
+    std::shared_ptr<const LitLayers> layers;
     double beam_through_cloud = 1.0;
     double cosine = 0.0;  // of the sun's zenith angle
 
@@ -58,6 +72,9 @@ struct SunlitAir {
 
 /// Throws InputError for a sun or a model out of range.
 SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
+
+/// The same air and sun under another cloud.
+SunlitAir sunlit_air_under(SunlitAir air, const CloudLayer& cloud);
 
 /// What the beam has met on its way to a height.
 Amounts amounts_to_sun(const SunlitAir& air, const Medium& medium, const HermiteWeights& height);

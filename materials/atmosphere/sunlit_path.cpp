@@ -4,25 +4,41 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "materials/atmosphere/band_transmittance.hpp"
 #include "materials/atmosphere/cloud_on_line.hpp"
 #include "materials/atmosphere/scaled_aerosol.hpp"
+#include "materials/base/fast_exp.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Mean over a stretch of a transmittance that falls exponentially, nearly.
-double mean_between(double before, double after) {
-    if (before + after < 1e-200) return 0.0;
-    before = std::max(before, 1e-200);
-    after = std::max(after, 1e-200);
-    const double x = std::log(before / after);
-    // (1 − e⁻ˣ) / x, by its series where it cancels.
-    return std::abs(x) < 0.01 ? before * (1.0 - x * (0.5 - x * (1.0 / 6.0))) : (before - after) / x;
+constexpr double dark = 460.0;  // optical depth that counts as no light
+
+/// Mean over a stretch of a transmittance that falls exponentially, nearly, from `before` to
+/// `after` by the optical depth x: (1 − e⁻ˣ) / x, by its series where it cancels.
+double mean_between(double before, double after, double x) {
+    const bool cancels = (x < 0.0 ? -x : x) < 0.01;
+    const double series = before * (1.0 - x * (0.5 - x * (1.0 / 6.0)));
+    return cancels ? series : (before - after) / (cancels ? 1.0 : x);
 }
+
+/// Optical depths of all bins, and the transmittances.
+struct Passage {
+    std::vector<double> depth, share;
+
+    explicit Passage(std::size_t bins) : depth(bins, 0.0), share(bins, 1.0) {}
+    void set_share() {
+        for (std::size_t b = 0; b < share.size(); ++b) {
+            depth[b] = depth[b] < dark ? depth[b] : dark;
+            share[b] = depth[b];
+        }
+        negative_exponentials(share);
+    }
+};
 
 /// One direction to the sun: how the line turns its light.
 struct Direction {
@@ -66,7 +82,7 @@ class Gathering {
  private:
     void follow(const SightLine& onward);
     /// Transmittance of both ways: from the sun to a height, and on along the line.
-    void beam_at(double height_km, std::vector<double>& out) const;
+    void beam_at(double height_km, Passage& out) const;
     void scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch);
     void scatter_often(const ScaledAerosol& aerosol, const Stretch& stretch);
     void thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch);
@@ -84,7 +100,7 @@ class Gathering {
     std::array<std::vector<double>, 3> by_aerosol_;
     std::vector<double> often_, by_cosine_;  // light scattered more often
     std::vector<double> peak_seen_;          // optical depth that scaling took, from the eye
-    std::vector<double> both_before_, both_after_, tau_before_, tau_after_;
+    Passage both_before_, both_after_, tau_before_, tau_after_;
     // Of a stretch: mean transmittance of both ways, times length; and that of the peak's light.
     std::vector<double> single_, thinned_;
 };
@@ -103,7 +119,7 @@ Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const dou
       peak_seen_(count_, 0.0),
       both_before_(count_),
       both_after_(count_),
-      tau_before_(count_, 1.0),
+      tau_before_(count_),
       tau_after_(count_),
       single_(count_),
       thinned_(count_) {
@@ -125,40 +141,43 @@ void Gathering::follow(const SightLine& onward) {
             peak_seen_[b] += onward.length_km[i] * aerosol.peak(b);
         }
     }
-    medium_.transmittances(seen_, tau_before_);
+    medium_.depths(seen_, tau_before_.depth);
+    tau_before_.set_share();
     add_peak_of_what_is_behind(onward.height_within(onward.size() - 1, 1.0), -1.0);
 }
 
-void Gathering::beam_at(double height_km, std::vector<double>& out) const {
+void Gathering::beam_at(double height_km, Passage& out) const {
     const HermiteWeights w = air_.at_height(height_km);
     if (!air_.sun_reaches(w)) {
-        std::fill(out.begin(), out.end(), 0.0);
+        std::fill(out.depth.begin(), out.depth.end(), dark);
+        std::fill(out.share.begin(), out.share.end(), 0.0);
         return;
     }
-    Amounts both = amounts_to_sun(air_, medium_, w);
-    both.add(seen_);
-    medium_.transmittances(both, out);
+    medium_.depths(amounts_to_sun(air_, medium_, w), seen_, out.depth);
+    out.set_share();
 }
 
 void Gathering::add(double middle_km, double end_km, double length) {
     const ScaledAerosol aerosol = scaled_aerosol(medium_, middle_km);
     medium_.add(middle_km, length, aerosol.extinction, seen_);
     beam_at(end_km, both_after_);
-    medium_.transmittances(seen_, tau_after_);
+    medium_.depths(seen_, tau_after_.depth);
+    tau_after_.set_share();
     const bool shaded = under_cloud_ && middle_km < air_.model.cloud.base_km;
     const Stretch stretch{middle_km, length, shaded ? air_.beam_through_cloud : 1.0};
     scatter_once(aerosol, stretch);
     scatter_often(aerosol, stretch);
     if (any_peaked_) thin_peak(aerosol, stretch);
     for (std::size_t b = 0; b < count_; ++b) peak_seen_[b] += length * aerosol.peak(b);
-    both_before_.swap(both_after_);
-    tau_before_.swap(tau_after_);
+    std::swap(both_before_, both_after_);
+    std::swap(tau_before_, tau_after_);
 }
 
 void Gathering::scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch) {
     for (std::size_t b = 0; b < count_; ++b) {
-        single_[b] =
-            stretch.through * stretch.length * mean_between(both_before_[b], both_after_[b]);
+        single_[b] = stretch.through * stretch.length *
+                     mean_between(both_before_.share[b], both_after_.share[b],
+                                  both_after_.depth[b] - both_before_.depth[b]);
         by_air_[b] += aerosol.whole.rayleigh[b] * single_[b];
     }
     for (std::size_t k = 0; k < by_aerosol_.size(); ++k) {
@@ -177,7 +196,9 @@ void Gathering::scatter_often(const ScaledAerosol& aerosol, const Stretch& stret
         // Asymmetries are below a half, so that it is never negative.
         const double mean_radiance = (up + down) * 0.5 * std::numbers::inv_pi;
         const double tilt = 0.75 * std::numbers::inv_pi * (down - up);
-        const double reach = stretch.length * mean_between(tau_before_[b], tau_after_[b]);
+        const double reach =
+            stretch.length * mean_between(tau_before_.share[b], tau_after_.share[b],
+                                          tau_after_.depth[b] - tau_before_.depth[b]);
         often_[b] += reach * (aerosol.whole.rayleigh[b] + aerosol.scattering[b]) * mean_radiance;
         by_cosine_[b] += reach * aerosol.scattering[b] * aerosol.asymmetry[b] * tilt;
     }
@@ -186,10 +207,12 @@ void Gathering::scatter_often(const ScaledAerosol& aerosol, const Stretch& stret
 void Gathering::thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch) {
     const HermiteWeights w = air_.at_height(stretch.height_km);
     for (std::size_t b = 0; b < count_; ++b) {
-        const double before = std::exp(-peak_seen_[b] - air_.peak.at(w, b));
-        const double after = before * std::exp(-stretch.length * aerosol.peak(b));
+        const double thinner = stretch.length * aerosol.peak(b);
+        const double before = fast_exp(-peak_seen_[b] - air_.peak.at(w, b));
+        const double after = before * fast_exp(-thinner);
         thinned_[b] = stretch.through * stretch.length *
-                      mean_between(both_before_[b] * before, both_after_[b] * after);
+                      mean_between(both_before_.share[b] * before, both_after_.share[b] * after,
+                                   both_after_.depth[b] - both_before_.depth[b] + thinner);
     }
     for (Direction& d : directions_) {
         if (d.peaked <= 0.0) continue;
@@ -212,7 +235,7 @@ void Gathering::add_peak_of_what_is_behind(double end_km, double sign) {
     for (std::size_t b = 0; b < count_; ++b) {
         const double up = field_.up.at(w, b), down = field_.down.at(w, b);
         const double share =
-            sign * tau_before_[b] * -std::expm1(-peak_seen_[b]) * 0.5 * std::numbers::inv_pi;
+            sign * tau_before_.share[b] * -std::expm1(-peak_seen_[b]) * 0.5 * std::numbers::inv_pi;
         often_[b] += share * (up + down);
         by_cosine_[b] += share * (down - up);
     }

@@ -11,6 +11,17 @@
 
 namespace diurna {
 
+/// The slope at an end of the curve below: a parabola's, if it does not turn.
+inline double monotone_end_slope(double near_step, double far_step, double near_secant,
+                                 double far_secant) {
+    const double s = ((2.0 * near_step + far_step) * near_secant - near_step * far_secant) /
+                     (near_step + far_step);
+    if (s * near_secant <= 0.0) return 0.0;
+    return near_secant * far_secant <= 0.0 && std::abs(s) > 3.0 * std::abs(near_secant)
+               ? 3.0 * near_secant
+               : s;
+}
+
 /// Slopes of the curve through values at ascending places that is monotone wherever they are:
 /// weighted harmonic means of the secants (Fritsch & Butland 1984, in Brodlie's form for uneven
 /// spacing), zero at extremes; at the ends a parabola's, if it does not turn.
@@ -32,17 +43,9 @@ inline std::vector<double> monotone_slopes(std::span<const double> place,
         const double a = 2.0 * above + below, b = above + 2.0 * below;
         slope[i] = (a + b) / (a / before + b / after);
     }
-    const auto end = [](double near_step, double far_step, double near_secant, double far_secant) {
-        const double s = ((2.0 * near_step + far_step) * near_secant - near_step * far_secant) /
-                         (near_step + far_step);
-        if (s * near_secant <= 0.0) return 0.0;
-        return near_secant * far_secant <= 0.0 && std::abs(s) > 3.0 * std::abs(near_secant)
-                   ? 3.0 * near_secant
-                   : s;
-    };
-    slope[0] = end(place[1] - place[0], place[2] - place[1], secant[0], secant[1]);
-    slope[n - 1] =
-        end(place[n - 1] - place[n - 2], place[n - 2] - place[n - 3], secant[n - 2], secant[n - 3]);
+    slope[0] = monotone_end_slope(place[1] - place[0], place[2] - place[1], secant[0], secant[1]);
+    slope[n - 1] = monotone_end_slope(place[n - 1] - place[n - 2], place[n - 2] - place[n - 3],
+                                      secant[n - 2], secant[n - 3]);
     return slope;
 }
 

@@ -1,6 +1,7 @@
 #include "render/light/band_light.hpp"
 
 #include "materials/base/parallel.hpp"
+#include "render/light/incident_at_heights.hpp"
 
 namespace diurna {
 
@@ -15,17 +16,15 @@ std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceIn
             of.band = band;
             of.channels = channels_of(band);
             of.scattered = scattered_sun(input, band.node_um);
-            for_each_index(
-                of.incident.size(),
-                [&](std::size_t h) {
-                    of.incident[h] =
-                        incident_light(input, lit.height_km[h], band.node_um, of.sun_field());
-                },
-                1);
+            of.incident = incident_at_heights(input, lit.height_km, band.node_um, of.sun_field());
             of.sky = sky_modes(band, of.incident);
             of.optics = node_optics(band, input.materials, lit.material_used);
             of.probe = probes(band, of.channels, input, of.incident[1], extent);
-            of.far_ground = far_ground_light(input, band.node_um, of.sun_field());
+            of.far_ground =
+                far_ground_light(input, band.node_um, lit.height_km, of.incident, of.sun_field());
+            if (!from(of.far_ground, Origin::sunlight).empty()) {
+                of.from_far_ground.emplace(onward_from_plain(input, band.node_um));
+            }
             of.basis = scene_basis(band, of.optics, of.incident, lit.bounds[b].surrounded, extent);
         },
         1);

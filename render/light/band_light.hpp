@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "materials/atmosphere/onward_light.hpp"
 #include "materials/radiation/band.hpp"
 #include "render/light/band_channels.hpp"
 #include "render/light/far_ground.hpp"
@@ -28,8 +29,10 @@ struct BandLight {
     std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
     LightByOrigin far_ground = {};  // far_ground_light(); empty: there is none
+    std::optional<OnwardLight> from_far_ground = {};  // its sunlight; empty: it has none
 
     const ScatteredSun* sun_field() const { return scattered ? &*scattered : nullptr; }
+    const OnwardLight* from_plain() const { return from_far_ground ? &*from_far_ground : nullptr; }
 };
 /// - extent: of the temperatures of the facets lit
 std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceInput& input,

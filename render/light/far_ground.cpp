@@ -4,17 +4,22 @@
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
-#include "render/light/incident_light.hpp"
 #include "render/light/node_optics.hpp"
 
 namespace diurna {
 
 LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
                                const ScatteredSun* scattered) {
+    if (!input.beyond) return {};
+    return far_ground_light(input, node_um,
+                            incident_light(input, input.beyond->height_km, node_um, scattered));
+}
+
+LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
+                               const IncidentLight& falls) {
     LightByOrigin light;
     if (!input.beyond) return light;
     const FarGround& ground = *input.beyond;
-    const IncidentLight falls = incident_light(input, ground.height_km, node_um, scattered);
     const double on_level = sunlight_on(1.0, std::cos(radians(input.sun_zenith_deg)));
     const bool sunny = !input.sun_fraction.empty() && on_level > 0.0;
     for (std::size_t n = 0; n < node_um.size(); ++n) {
@@ -29,6 +34,10 @@ LightByOrigin far_ground_light(const RadianceInput& input, std::span<const doubl
                        (on_level * falls.from_sun(n) + falls.sky_from(Origin::sunlight, n)));
     }
     return light;
+}
+
+OnwardLight onward_from_plain(const RadianceInput& input, std::span<const double> node_um) {
+    return {input.atmosphere, input.plain_height_km(), input.sun_zenith_deg, node_um, false};
 }
 
 }  // namespace diurna

@@ -2,7 +2,8 @@
 
 #include <span>
 
-#include "render/light/directional_sky.hpp"
+#include "materials/atmosphere/onward_light.hpp"
+#include "render/light/incident_light.hpp"
 #include "render/light/origin.hpp"
 #include "render/light/radiance_input.hpp"
 
@@ -19,5 +20,11 @@ namespace diurna {
 /// - scattered: scattered_sun() of these nodes, or null
 LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
                                const ScatteredSun* scattered);
+/// The same where the light that falls on it is known.
+LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
+                               const IncidentLight& falls);
+
+/// The far plain's sunlight on its way to an eye, at a band's nodes. Refers to the input's air.
+OnwardLight onward_from_plain(const RadianceInput& input, std::span<const double> node_um);
 
 }  // namespace diurna

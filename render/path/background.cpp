@@ -6,6 +6,7 @@
 #include "materials/air/sight_line.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/far_ground.hpp"
 #include "render/light/radiance.hpp"
 
 namespace diurna {
@@ -27,42 +28,33 @@ double range_to_plain(const RadianceInput& input, double height_km, double zenit
     return std::max(0.0, -eye * cosine - std::sqrt(std::max(0.0, square)));
 }
 
-/// Of the plain's sunlight what arrives over a line, per node.
-std::vector<double> sunlight_share(const RadianceInput& input, const SightLine& line,
-                                   std::span<const double> node_um,
-                                   const std::vector<double>& of_surface) {
-    const auto sun = [&](const SightLine& onward) {
-        return solar_at_nodes(input.atmosphere, input.plain_height_km(), input.sun_zenith_deg, 1.0,
-                              node_um, onward);
-    };
-    const std::vector<double> here = sun({});
-    std::vector<double> share = sun(line);
-    for (std::size_t n = 0; n < share.size(); ++n) {
-        share[n] = here[n] > 1e-300 ? share[n] / here[n] : of_surface[n];
-    }
-    return share;
-}
-
 }  // namespace
 
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
                                   std::span<const double> node_um, const SightLine& onward,
-                                  const LightByOrigin& far) {
+                                  const LightByOrigin& far, const OnwardLight* from_plain) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
         return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um, onward);
     }
     const SightLine to_plain =
         chord(height_km, input.plain_height_km(), range_to_plain(input, height_km, zenith_deg));
     const SightLine line = joined(onward, to_plain);
-    PathSpectrum path = path_at_nodes(input.atmosphere, line, node_um);
+    const std::vector<double>& sunlight = from(far, Origin::sunlight);
+    PathSpectrum path;
+    std::vector<double> share;  // of the plain's sunlight what arrives
+    if (sunlight.empty()) {
+        path = path_at_nodes(input.atmosphere, line, node_um);
+    } else {
+        OnwardLight::Way way = from_plain != nullptr ? from_plain->way(line)
+                                                     : onward_from_plain(input, node_um).way(line);
+        path = std::move(way.path);
+        share = std::move(way.sunlight);
+    }
     if (onward.size() > 0) {
         const PathSpectrum before = path_at_nodes(input.atmosphere, onward, node_um);
         for (std::size_t n = 0; n < node_um.size(); ++n) path.radiance[n] -= before.radiance[n];
     }
     if (!from(far, Origin::surface).empty()) {
-        const std::vector<double>& sunlight = from(far, Origin::sunlight);
-        std::vector<double> share;
-        if (!sunlight.empty()) share = sunlight_share(input, line, node_um, path.transmittance);
         for (std::size_t n = 0; n < node_um.size(); ++n) {
             path.radiance[n] += path.transmittance[n] *
                                 (from(far, Origin::surface)[n] + from(far, Origin::sky_heat)[n]);

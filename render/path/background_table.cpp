@@ -11,13 +11,54 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t heat_nodes = 24, sunlit_nodes = 28;
+constexpr std::size_t sunlit_nodes = 28;
+/// Of a table that is refined until it is close enough.
+constexpr std::size_t fewest_nodes = 7, most_nodes = 25;
+constexpr double heat_error = 1e-5, sunlight_error = 2e-4;  // shares
 constexpr double azimuth_step_deg = 6.0;
 constexpr HorizonScale::Side sides[] = {HorizonScale::sky, HorizonScale::plain};
 
 /// Azimuth from the sun's, to either side: 0 to 180.
 double azimuth_beside_sun_deg(const Eigen::Vector3d& direction, const Eigen::Vector3d& to_sun) {
     return std::abs(std::remainder(azimuth_from_sun_deg(direction, to_sun), 360.0));
+}
+
+/// Values over an axis, at evenly spaced places: their number is doubled until cubics through the
+/// even ones are close to the odd ones; those kept are ten times closer.
+///
+/// - make: make(place) of 0 to 1
+/// - close: close(values) of twice as many
+template <class Value, class Make, class Close>
+std::vector<Value> refined(const Make& make, const Close& close) {
+    const auto add = [&](std::size_t first, std::size_t every, std::vector<Value>& values) {
+        const double last = double(values.size() - 1);
+        for_each_index((values.size() - first + every - 1) / every,
+                       [&](std::size_t k) {
+                           const std::size_t i = first + every * k;
+                           values[i] = make(double(i) / last);
+                       },
+                       1);
+    };
+    std::vector<Value> values(fewest_nodes);
+    add(0, 1, values);
+    while (values.size() < most_nodes) {
+        std::vector<Value> finer(2 * values.size() - 1);
+        for (std::size_t i = 0; i < values.size(); ++i) finer[2 * i] = std::move(values[i]);
+        add(1, 2, finer);
+        values = std::move(finer);
+        if (close(values)) break;
+    }
+    return values;
+}
+
+/// Error of cubics through the even values, at the odd ones, as a share of `least` or of them.
+template <class At>
+double error_of_even(std::size_t count, double least, const At& at) {
+    return worst_between((count + 1) / 2, [&](std::size_t i) { return at(2 * i); },
+                         [&](std::size_t i) { return at(2 * i + 1); },
+                         [&](double right) {
+                             return std::max({right, least, 1e-300});
+                         });
 }
 
 }  // namespace
@@ -46,21 +87,21 @@ BackgroundTable::BackgroundTable(const RadianceInput& input, const BandLight& ba
                                  double height_km, const Extent& extent)
     : horizon_{horizon_zenith_deg(input, height_km)} {
     for (const auto side : sides) {
-        const auto nodes =
-            horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, heat_nodes);
-        if (!nodes) continue;
+        const auto whole = horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, 2);
+        if (!whole) continue;
         Part& of = part_[side];
-        of.nodes = *nodes;
-        of.heat.resize(heat_nodes);
-        for_each_index(
-            heat_nodes,
-            [&](std::size_t k) {
-                const double zenith_deg = horizon_.zenith_deg(side, nodes->at(k));
-                of.heat[k] = band_sum_nodes(
+        of.heat = refined<double>(
+            [&](double place) {
+                const double zenith_deg = horizon_.zenith_deg(side, whole->at(place));
+                return band_sum_nodes(
                     band.band, background_at(input, height_km, zenith_deg, band.band.node_um, {},
-                                             band.far_ground));
+                                             band.far_ground, band.from_plain()));
             },
-            1);
+            [](const std::vector<double>& heat) {
+                return error_of_even(heat.size(), 0.0, [&](std::size_t i) { return heat[i]; }) <
+                       heat_error;
+            });
+        of.nodes = whole->cut(of.heat.size());
     }
     if (band.scattered) add_sunlight(input, band, height_km, extent);
 }
@@ -75,23 +116,38 @@ void BackgroundTable::add_sunlight(const RadianceInput& input, const BandLight& 
     for (std::size_t a = 0; a < azimuths; ++a) {
         azimuth_deg[a] = azimuth_low_ + azimuth_step_ * double(a);
     }
-    constexpr double finer = double(heat_nodes - 1) / double(sunlit_nodes - 1);
     for (const auto side : sides) {
         Part& of = part_[side];
-        if (of.heat.empty()) continue;
-        of.sunlit_nodes = {of.nodes.low, of.nodes.step * finer};
-        of.sunlight.assign(azimuths, std::vector<double>(sunlit_nodes));
-        for_each_index(
-            sunlit_nodes,
-            [&](std::size_t z) {
-                const auto spectra = scattered_backgrounds_at(
-                    input, *band.scattered, height_km,
-                    horizon_.zenith_deg(side, of.sunlit_nodes.at(z)), azimuth_deg);
-                for (std::size_t a = 0; a < azimuths; ++a) {
-                    of.sunlight[a][z] = band_sum_nodes(band.band, spectra[a]);
+        const auto whole = horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, 2);
+        if (!whole) continue;
+        using Azimuths = std::vector<double>;
+        const auto found = refined<Azimuths>(
+            [&](double place) {
+                Azimuths sums;
+                for (const auto& spectrum : scattered_backgrounds_at(
+                         input, *band.scattered, height_km,
+                         horizon_.zenith_deg(side, whole->at(place)), azimuth_deg)) {
+                    sums.push_back(band_sum_nodes(band.band, spectrum));
                 }
+                return sums;
             },
-            1);
+            [&](const std::vector<Azimuths>& sums) {
+                double most = 0.0, worst = 0.0;
+                for (const Azimuths& at : sums) {
+                    most = std::max(most, *std::max_element(at.begin(), at.end()));
+                }
+                for (std::size_t a = 0; a < azimuths; ++a) {
+                    worst =
+                        std::max(worst, error_of_even(sums.size(), 0.02 * most,
+                                                      [&](std::size_t i) { return sums[i][a]; }));
+                }
+                return worst < sunlight_error;
+            });
+        of.sunlit_nodes = whole->cut(found.size());
+        of.sunlight.assign(azimuths, std::vector<double>(found.size()));
+        for (std::size_t z = 0; z < found.size(); ++z) {
+            for (std::size_t a = 0; a < azimuths; ++a) of.sunlight[a][z] = found[z][a];
+        }
     }
 }
 
@@ -163,7 +219,7 @@ void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& inpu
         [&](std::size_t z) {
             const double zenith_deg = horizon_.zenith_deg(side, of.nodes.at(z));
             put(background_at(input, height_km, zenith_deg, band.band.node_um, onward,
-                              band.far_ground),
+                              band.far_ground, band.from_plain()),
                 &of.heat[z * padded_]);
             if (!band.scattered) return;
             const auto rows = scattered_backgrounds_at(input, *band.scattered, height_km,

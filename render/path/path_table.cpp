@@ -18,30 +18,35 @@ constexpr std::size_t most_ranges = 129;
 PathTable::PathTable(const RadianceInput& input, const PathExtent& extent,
                      std::span<const BandLight> bands, double tolerance)
     : input_(input), bands_(bands), grid_(extent), error_(bands.size(), 0.0) {
-    std::vector<std::optional<OnwardLight>> onward(bands.size() * most_few);
-    for_each_index(
-        onward.size(),
-        [&](std::size_t k) {
-            const BandLight& of = bands[k / most_few];
-            onward[k].emplace(input.atmosphere, grid_.height_at(k % most_few, most_few),
-                              input.sun_zenith_deg, of.band.node_um);
-        },
-        1);
-    for (auto& one : onward) onward_.push_back(std::move(*one));
+    onward_.resize(bands.size() * most_few);
     // At three ranges and five heights: are two, or three, of the heights enough for all five?
     constexpr std::size_t places = 3;
     std::vector<Node> some(places * most_few);
-    for_each_index(
-        some.size(),
-        [&](std::size_t k) {
-            some[k] = make_node(grid_.root_at(k / most_few, places),
-                                grid_.height_at(k % most_few, most_few));
-        },
-        1);
-    choose_heights(grid_, [&](std::size_t count) {
-        for (std::size_t b = 0; b < bands_.size(); ++b) error_[b] = error_of_fewer(b, some, count);
-        return *std::max_element(error_.begin(), error_.end()) < 0.5 * tolerance;
-    });
+    const auto make = [&](std::initializer_list<std::size_t> heights) {
+        prepare(heights);
+        for_each_index(
+            places * heights.size(),
+            [&](std::size_t k) {
+                const std::size_t i = k / heights.size(), j = heights.begin()[k % heights.size()];
+                some[i * most_few + j] =
+                    make_node(grid_.root_at(i, places), grid_.height_at(j, most_few));
+            },
+            1);
+    };
+    // Where the middle alone says by far that two are, the others need not be found.
+    constexpr double by_far = 0.05;
+    make({0, 2, 4});
+    for (std::size_t b = 0; b < bands_.size(); ++b) error_[b] = error_in_middle(b, some);
+    if (*std::max_element(error_.begin(), error_.end()) < by_far * tolerance) {
+        grid_.heights = 2;
+    } else {
+        make({1, 3});
+        choose_heights(grid_, [&](std::size_t count) {
+            for (std::size_t b = 0; b < bands_.size(); ++b)
+                error_[b] = error_of_fewer(b, some, count);
+            return *std::max_element(error_.begin(), error_.end()) < 0.5 * tolerance;
+        });
+    }
     const std::vector<double> of_heights = error_;
     node_ = refine_ranges<Node>(
         grid_, most_ranges, 0.5 * tolerance,
@@ -54,14 +59,26 @@ PathTable::PathTable(const RadianceInput& input, const PathExtent& extent,
                 worst = std::max(worst, error);
             }
             return worst;
-        });
+        },
+        some);
+}
+
+void PathTable::prepare(std::initializer_list<std::size_t> heights) {
+    for_each_index(
+        bands_.size() * heights.size(),
+        [&](std::size_t k) {
+            const std::size_t b = k / heights.size(), j = heights.begin()[k % heights.size()];
+            onward_[b * most_few + j].emplace(input_.atmosphere, grid_.height_at(j, most_few),
+                                              input_.sun_zenith_deg, bands_[b].band.node_um);
+        },
+        1);
 }
 
 /// The heights of nodes are always some of the five.
 const OnwardLight& PathTable::onward(std::size_t band, double height_km) const {
     const double place = (height_km - grid_.height_at(0, most_few)) /
                          (grid_.height_at(1, most_few) - grid_.height_at(0, most_few));
-    return onward_[band * most_few + static_cast<std::size_t>(std::lround(place))];
+    return *onward_[band * most_few + static_cast<std::size_t>(std::lround(place))];
 }
 
 PathTable::Node PathTable::make_node(double root, double height_km) const {
@@ -113,6 +130,19 @@ double PathTable::error_of_fewer(std::size_t band, std::span<const Node> nodes,
             for (std::size_t j = 0; j < most_few; ++j) {
                 worst = std::max(worst, std::abs(found[j] - value[j]) / slope);
             }
+        }
+    }
+    return worst;
+}
+
+double PathTable::error_in_middle(std::size_t band, std::span<const Node> nodes) const {
+    double worst = 0.0;
+    for (std::size_t p = 0; p < bands_[band].probe.size(); ++p) {
+        for (std::size_t i = 0; i < nodes.size(); i += most_few) {
+            const auto at = [&](std::size_t j) { return probe_value(band, nodes[i + j], p); };
+            const double low = at(0);
+            const double error = 0.5 * (low + at(most_few - 1)) - at(most_few / 2);
+            worst = std::max(worst, std::abs(error) / radiance_per_kelvin(bands_[band].band, low));
         }
     }
     return worst;

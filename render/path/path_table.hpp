@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,14 +59,19 @@ class PathTable {
     double error_of_fewer(std::size_t band, std::span<const Node> nodes, std::size_t count) const;
     double error_between(std::size_t band, std::span<const Node> nodes, std::size_t ranges) const;
 
+    /// Error [K] half-way between the lowest and the highest of a few ranges' heights.
+    double error_in_middle(std::size_t band, std::span<const Node> nodes) const;
+
+    /// Prepares these of the five heights.
+    void prepare(std::initializer_list<std::size_t> heights);
     const OnwardLight& onward(std::size_t band, double height_km) const;
 
     const RadianceInput& input_;
     std::span<const BandLight> bands_;
     SightGrid grid_;
-    std::vector<OnwardLight> onward_;  // (band, height of five)
-    std::vector<Node> node_;           // (range, height)
-    std::vector<double> error_;        // (band)
+    std::vector<std::optional<OnwardLight>> onward_;  // (band, height of five); empty: not needed
+    std::vector<Node> node_;                          // (range, height)
+    std::vector<double> error_;                       // (band)
 };
 
 }  // namespace diurna

@@ -11,6 +11,8 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t most_scattered_ranges = 65, most_angles = 129;
+/// What is tried first, as many angles as most pictures need.
+constexpr std::size_t usual_angles = 17;
 
 }  // namespace
 
@@ -69,18 +71,22 @@ void ScatteredPath::choose_angles(double tolerance) {
     for (const double part : {1.0, 0.4}) {
         const double root = grid_.root_low + part * (grid_.root_high - grid_.root_low);
         const double height = 0.5 * (grid_.extent.least_height_km + grid_.extent.most_height_km);
-        const Node fine = make_node(root, height, 2 * most_angles - 1);
+        std::size_t most = std::max(usual_angles, angles_);
+        Node fine = make_node(root, height, 2 * most - 1);
         if (part == 1.0) {
             floor_ = 0.02 * double{*std::max_element(fine.at_angle.begin(), fine.at_angle.end())};
         }
         for (;;) {
-            const std::size_t skip = 2 * (most_angles - 1) / (angles_ - 1);
+            const std::size_t skip = 2 * (most - 1) / (angles_ - 1);
             error_ = worst_between(
                 angles_, [&](std::size_t k) { return double{fine.at_angle[k * skip]}; },
                 [&](std::size_t k) { return double{fine.at_angle[k * skip + skip / 2]}; },
                 [&](double right) { return std::max(right, floor_); });
             if (error_ < tolerance || angles_ == most_angles) break;
             angles_ = 2 * angles_ - 1;
+            if (angles_ <= most) continue;
+            most = most_angles;
+            fine = make_node(root, height, 2 * most - 1);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ PathExtent path_extent(const View& view, double ground_height_km);
 /// lines grow with the root of range, so that nodes crowd near the eye) and in height of the far
 /// end. Cubic in range; a parabola, or of fourth degree, in height.
 struct SightGrid {
-    static constexpr std::size_t fewest_ranges = 9;
+    static constexpr std::size_t fewest_ranges = 5;
 
     explicit SightGrid(const PathExtent& of);
 
@@ -79,9 +80,11 @@ void choose_heights(SightGrid& grid, const Enough& enough) {
 ///
 /// - make: make(root, height_km) gives a node, from any thread
 /// - error: error(nodes, ranges) of the nodes with even ranges alone, from those with odd ones
+/// - known: nodes at the nearest, middle and farthest range, of all five heights (range, height),
+///   which need not be made again; or empty
 template <class Node, class Make, class Error>
 std::vector<Node> refine_ranges(SightGrid& grid, std::size_t most, double tolerance,
-                                const Make& make, const Error& error) {
+                                const Make& make, const Error& error, std::span<Node> known = {}) {
     const std::size_t heights = grid.heights;
     const auto add = [&](std::size_t count, std::size_t first, std::size_t every,
                          std::vector<Node>& nodes) {
@@ -95,7 +98,17 @@ std::vector<Node> refine_ranges(SightGrid& grid, std::size_t most, double tolera
             1);
     };
     std::vector<Node> nodes(grid.ranges * heights);
-    add(grid.ranges, 0, 1, nodes);
+    if (known.empty()) {
+        add(grid.ranges, 0, 1, nodes);
+    } else {
+        static_assert(SightGrid::fewest_ranges == 5);
+        add(grid.ranges, 1, 2, nodes);
+        for (std::size_t k = 0; k < 3 * heights; ++k) {
+            const std::size_t i = k / heights, j = k % heights;
+            const std::size_t of_five = j * (most_few - 1) / (heights - 1);
+            nodes[2 * i * heights + j] = std::move(known[i * most_few + of_five]);
+        }
+    }
     while (grid.ranges < most) {
         const std::size_t finer = 2 * grid.ranges - 1;
         std::vector<Node> next(finer * heights);

@@ -9,6 +9,7 @@
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/light/far_ground.hpp"
+#include "render/light/incident_at_heights.hpp"
 #include "render/light/incident_light.hpp"
 #include "render/path/background.hpp"
 #include "terrain/place/site.hpp"
@@ -212,6 +213,23 @@ TEST_CASE("the mean sky agrees with a fine integral over the hemisphere",
         fine += band_sum_nodes(band, sky_at_nodes(summer, 0.4, zenith, band.node_um)) / n;
     }
     CHECK(mean == Approx(fine).epsilon(1e-3));
+}
+
+TEST_CASE("between two heights 29 m apart the sky's light is their mean, farther its own",
+          "[render][radiance]") {
+    const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
+    const RadianceInput input = summer_air(pair, summer);
+    const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+                               flat_band("8-12", 8.0, 12.0, bin_edges_um()));
+    const auto sky = [&](const IncidentLight& light) { return band_sum_nodes(band, light.sky); };
+    const auto near = incident_at_heights(input, {0.200, 0.2145, 0.229}, band.node_um, nullptr);
+    const double middle = sky(incident_light(input, 0.2145, band.node_um));
+    CHECK(sky(near[1]) == Approx(middle).epsilon(3e-5));
+    CHECK(sky(near[0]) - sky(near[2]) > 1e-3 * middle);
+    const auto far = incident_at_heights(input, {0.2, 0.3, 0.4}, band.node_um, nullptr);
+    CHECK(sky(far[1]) == sky(incident_light(input, 0.3, band.node_um)));
+    const auto level = incident_at_heights(input, {0.2, 0.2, 0.2}, band.node_um, nullptr);
+    CHECK(sky(level[2]) == sky(near[0]));
 }
 
 TEST_CASE("the background goes over from sky to plain at the horizon", "[render][radiance]") {

@@ -213,7 +213,7 @@ std::vector<double> band_model_sun(const BandModel& model, double height_km, dou
     const std::vector<double> tau =
         transmittance(model, joined(onward, line_of(model, height_km, zenith_deg)), bins);
     double clear = below_cloud(model, height_km) ? model.scale.beam : 1.0;
-    if (height_km < model.cloud.base_km) {
+    if (below_cloud(model, height_km)) {
         const double mu = std::max(0.02, std::cos(radians(zenith_deg)));
         clear *= 1.0 - model.cloud.over_sun() * -std::expm1(-model.cloud.optical_depth / mu);
     }

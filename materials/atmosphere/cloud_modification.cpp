@@ -12,6 +12,7 @@ namespace {
 constexpr double usual_albedo = 0.2;
 constexpr double thinnest = 0.05, thickest = 300.0;
 constexpr double lowest_sun_cosine = 0.05;
+constexpr double no_beam = 3e-3;  // of the clear sky's: less says no more of the depth
 
 }  // namespace
 
@@ -39,7 +40,7 @@ SunlitCloud cloud_of_effect(const CloudEffect& effect, double sun_cosine) {
     const auto lost = [&](double depth) { return -std::expm1(-depth / mu); };
     // Of the same loss of beam thicker clouds over less of the sky take more of the global light.
     const double wanted = (1.0 - std::clamp(effect.global, 0.0, 1.0)) / (1.0 - beam);
-    double low = std::clamp(-mu * std::log(std::max(beam, 1e-300)), thinnest, thickest);
+    double low = std::clamp(-mu * std::log(std::max(beam, no_beam)), thinnest, thickest);
     double high = thickest;
     for (int i = 0; i < 50; ++i) {
         const double middle = std::sqrt(low * high);

@@ -30,7 +30,9 @@ struct SunlitCloud {
 /// global light under a sun: beam (1 − f) + f e^(−τ/μ), global (1 − f) + f T(τ), T Eddington's
 /// closed form for drops that absorb nothing (g = 0.85) over ground of albedo 0.2. What two streams
 /// make of it differs by some per cent, which LightScale takes up. Global light beyond what
-/// the thinnest such cloud passes: that cloud. No cloud for a beam that has lost nothing.
+/// the thinnest such cloud passes: that cloud. No cloud for a beam that has lost nothing. A beam
+/// below 3e-3 of the clear one is none: the depth then follows from the global light alone, so that
+/// what the cloud sends back, passes and absorbs is all that came in.
 ///
 /// sun_cosine  of the sun's zenith angle, 0 to 1
 SunlitCloud cloud_of_effect(const CloudEffect& effect, double sun_cosine);

@@ -22,7 +22,7 @@ bool has_cloud(const CloudLayer& cloud) { return cloud.fraction > 0.0 || cloud.o
 }  // namespace
 
 bool below_cloud(const BandModel& model, double height_km) {
-    return !has_cloud(model.cloud) || height_km < model.cloud.base_km;
+    return !has_cloud(model.cloud) || height_km < model.cloud.top_km();
 }
 
 std::optional<CloudCrossing> cloud_crossing(const BandModel& model, const SightLine& line,

@@ -13,7 +13,8 @@ namespace diurna {
 inline constexpr double drops_scatter_um = 3.0;
 
 /// Whether light at a height is that under the cloud, or under the whole air where there is none:
-/// what measurements at the ground scale.
+/// what measurements at the ground scale. Within the layer it is dim as at its base; light changes
+/// at the top.
 bool below_cloud(const BandModel& model, double height_km);
 
 /// Where a line goes through the cloud layer of a model.

@@ -14,6 +14,7 @@ namespace diurna {
 namespace {
 
 constexpr double least_light = 1e-3;  // [W m⁻²] of the model's: less is no shape to scale
+constexpr double shut_out = 3e-3;     // of the clear sky's
 
 /// The model with a share of black cloud in its sky, seen as thinner cloud over what was observed.
 BandModel with_black_share(const BandModel& model, double share) {
@@ -85,6 +86,23 @@ double cloud_allowed(const SunField* clear, const SunLight& sun, double height_k
     return 1.0 - std::clamp(scale_of(beam, own), 0.0, 1.0);
 }
 
+/// An overcast made as thick as its diffuse light says, so that none is left for a grey factor:
+/// what it sends back is then what it does not pass or absorb.
+void fit_depth(const SunField& clear, double height_km, double diffuse, BandModel& fitted,
+               GroundFluxes& sums) {
+    constexpr double close = 0.02, thinnest = 0.05, thickest = 300.0;
+    double& depth = fitted.cloud.optical_depth;
+    for (int i = 0; i < 4; ++i) {
+        const double more = scale_of(diffuse, sums.sun_diffuse);
+        if (std::abs(more - 1.0) < close || !(more > 0.0)) return;
+        // Light passes nearly as 1 / (1 + 0.1 depth).
+        const double next = (1.0 + 0.1 * depth) / more - 1.0;
+        const double last = std::exchange(depth, std::clamp(10.0 * next, thinnest, thickest));
+        if (depth == last) return;
+        sums = ground_sunlight(clear.under(fitted.cloud), height_km);
+    }
+}
+
 /// Beam and diffuse made to be the known ones, and reported in `sums`.
 BandModel with_sunlight(const BandModel& model, bool observed_clear, const SunLight& sun,
                         const SunField& clear, double height_km, const KnownLight& known,
@@ -102,6 +120,9 @@ BandModel with_sunlight(const BandModel& model, bool observed_clear, const SunLi
         fitted.cloud.sunlit_fraction = cloud.fraction;
         fitted.cloud.optical_depth = cloud.optical_depth;
         sums = ground_sunlight(clear.under(fitted.cloud), height_km);
+        if (cloud.fraction == 1.0 && beam < shut_out) {
+            fit_depth(clear, height_km, known.diffuse, fitted, sums);
+        }
     }
     fitted.scale.beam = scale_of(known.direct_normal, sums.sun_direct);
     fitted.scale.diffuse = scale_of(known.diffuse, sums.sun_diffuse);

@@ -56,7 +56,7 @@ std::vector<std::vector<double>> SunField::skies(double height_km, double zenith
     const double cosine = std::cos(radians(zenith_deg));
     const auto turn = turns(s.sun, zenith_deg, azimuth_from_sun_deg);
     const double covered_share = cloud.over_sun();
-    const bool over_cloud = covered_share > 0.0 && (height_km >= cloud.base_km || ground);
+    const bool over_cloud = covered_share > 0.0 && (!below_cloud(s.model, height_km) || ground);
     const ScatteredLight light = over_cloud ? scattered_light(s, line, turn, onward)
                                             : scattered_light(s, line, turn, false, ground, onward);
     std::vector<std::vector<double>> radiance;
@@ -69,14 +69,12 @@ std::vector<std::vector<double>> SunField::skies(double height_km, double zenith
         const SightLine below = line.first(below_base);
         const ScatteredLight covered = scattered_light(s, below, turn, true, true, onward);
         const std::vector<double> tau = transmittance(s.model, joined(onward, below), s.bins);
-        const HermiteWeights w = s.at_height(cloud.base_km);
-        // Thick cloud shines as 1 + 2 cos z (Moon & Spencer 1942), thin cloud evenly.
-        const double thick = -std::expm1(-0.25 * cloud.optical_depth);
-        const double shape = std::lerp(1.0, 3.0 / 7.0 * (1.0 + 2.0 * cosine), thick);
+        const std::vector<double>& sent = s.cloudy.down.value[s.at_height(cloud.base_km).low];
+        const double shape = base_brightness(cloud, cosine);
         for (std::size_t a = 0; a < turn.size(); ++a) {
             const std::vector<double> under = covered.towards(a, cosine);
             for (std::size_t b = 0; b < under.size(); ++b) {
-                const double base = shape * s.cloudy.down.at(w, b) * std::numbers::inv_pi;
+                const double base = shape * sent[b] * std::numbers::inv_pi;
                 radiance[a][b] += covered_share * (under[b] + tau[b] * base - radiance[a][b]);
             }
         }
@@ -92,11 +90,12 @@ std::vector<std::vector<double>> SunField::skies(double height_km, double zenith
 
 SunFlux SunField::flux(double height_km) const {
     const SunlitAir& s = *air_;
+    const double covered = s.model.cloud.over_sun();
+    const bool below = below_cloud(s.model, height_km);
     const HermiteWeights w = s.at_height(height_km);
+    const HermiteWeights clouded = covered > 0.0 ? in_clouded_air(s, height_km) : w;
     const std::size_t count = s.bins.size();
     std::vector<double> direct(count, 0.0), down(count), up(count);
-    const double covered = s.model.cloud.over_sun();
-    const bool below = height_km < s.model.cloud.base_km;
     std::vector<double> scaled(count, 0.0);
     if (count > 0 && !ends_on_ground(s.model, height_km, s.sun.zenith_deg)) {
         const Medium medium(s.model, s.bins);
@@ -111,21 +110,20 @@ SunFlux SunField::flux(double height_km) const {
     const double scaled_through =
         std::exp(-s.model.cloud.optical_depth * (1.0 - cloud_peak) / std::max(mu, 0.01));
     for (std::size_t b = 0; b < count; ++b) {
-        const auto at = [&](const LevelCurves& field) { return field.at(w, b); };
         // What the scaling left in the beam is diffuse light around the sun.
-        down[b] = (1.0 - covered) * (at(s.clear.down) + mu * (scaled[b] - direct[b]));
-        up[b] = (1.0 - covered) * at(s.clear.up);
+        down[b] = (1.0 - covered) * (s.clear.down.at(w, b) + mu * (scaled[b] - direct[b]));
+        up[b] = (1.0 - covered) * s.clear.up.at(w, b);
         double beam = (1.0 - covered) * direct[b];
         if (covered > 0.0) {
             const double through = below ? s.beam_through_cloud : 1.0;
             const double wide = below ? scaled_through : 1.0;
-            down[b] +=
-                covered * (at(s.cloudy.down) + mu * (scaled[b] * wide - direct[b] * through));
-            up[b] += covered * at(s.cloudy.up);
+            down[b] += covered * (s.cloudy.down.at(clouded, b) +
+                                  mu * (scaled[b] * wide - direct[b] * through));
+            up[b] += covered * s.cloudy.up.at(clouded, b);
             beam += covered * direct[b] * through;
         }
         direct[b] = beam;
-        if (!below_cloud(s.model, height_km)) continue;
+        if (!below) continue;
         direct[b] *= s.model.scale.beam;
         down[b] *= s.model.scale.diffuse;
         up[b] *= s.model.scale.diffuse;

@@ -318,6 +318,8 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
 
 namespace {
 
+constexpr double nothing = 1e-3;  // of light: no more of it is followed
+
 /// Of a line that falls through the cloud, where it is covered: what is lit before the cloud, the
 /// cloud's top (as bright under every angle), and what comes through it from below.
 ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
@@ -336,7 +338,6 @@ ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
             tau[b] * std::max(0.0, above[b] - through * below[b]) * std::numbers::inv_pi;
         for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += top;
     }
-    constexpr double nothing = 1e-3;
     if (through > nothing && under.size() > 0) {
         const ScatteredLight rest =
             scattered_light(air, under, turn, true, true, joined(onward, over));
@@ -351,7 +352,52 @@ ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
     return light;
 }
 
+/// Of a line that rises through the cloud, where it is covered: what is lit below the cloud, the
+/// cloud's base, and what comes through it from beyond. So what stands behind a thick cloud looks
+/// like the sky beside it.
+ScatteredLight light_under_cloud(const SunlitAir& air, const SightLine& line,
+                                 const CloudCrossing& crossing, std::span<const double> turn,
+                                 const SightLine& onward) {
+    const SightLine under = line_before(line, crossing), over = line_behind(line, crossing);
+    const BandModel& model = air.model;
+    const double through = std::exp(-model.cloud.optical_depth / crossing.cosine);
+    ScatteredLight light = scattered_light(air, under, turn, true, true, onward);
+    const std::size_t drops = air.at_height(model.cloud.base_km).low;
+    const std::vector<double>&below = air.cloudy.down.value[drops],
+          &above = air.cloudy.down.value[drops + 1];
+    const double shape = base_brightness(model.cloud, crossing.cosine);
+    const std::vector<double> tau = transmittance(model, joined(onward, under), air.bins);
+    for (std::size_t b = 0; b < tau.size(); ++b) {
+        const double shining = shape * below[b] - through * above[b];
+        const double seen = tau[b] * std::max(0.0, shining) * std::numbers::inv_pi;
+        for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += seen;
+    }
+    if (through > nothing && over.size() > 0) {
+        const ScatteredLight rest =
+            scattered_light(air, over, turn, true, true, joined(onward, under));
+        for (std::size_t b = 0; b < tau.size(); ++b) {
+            for (std::size_t a = 0; a < turn.size(); ++a) {
+                light.at_turn[a][b] += through * rest.at_turn[a][b];
+            }
+            light.by_cosine[b] += through * rest.by_cosine[b];
+        }
+    }
+    return light;
+}
+
 }  // namespace
+
+HermiteWeights in_clouded_air(const SunlitAir& air, double height_km) {
+    const CloudLayer& cloud = air.model.cloud;
+    const std::size_t drops = air.at_height(cloud.base_km).low;
+    return air.at_height(height_km < cloud.top_km() ? std::min(height_km, air.level[drops])
+                                                    : std::max(height_km, air.level[drops + 1]));
+}
+
+double base_brightness(const CloudLayer& cloud, double cosine) {
+    const double thick = -std::expm1(-0.25 * cloud.optical_depth);
+    return std::lerp(1.0, 3.0 / 7.0 * (1.0 + 2.0 * cosine), thick);
+}
 
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, const SightLine& onward) {
@@ -359,10 +405,12 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
     const double covered = air.model.cloud.over_sun();
     const double scale = air.model.scale.diffuse;
     const auto crossing = cloud_crossing(air.model, line);
-    const bool over = crossing && line.height_within(0, 0.0) >= crossing->height_km;
+    // A line that starts within the cloud sees what its base sends down, whichever way it goes.
+    const bool over = crossing && line.height_within(0, 0.0) >= air.model.cloud.top_km();
     if (covered > 0.0) {
-        light.mix(covered, over ? light_over_cloud(air, line, *crossing, turn, onward)
-                                : scattered_light(air, line, turn, true, true, onward));
+        light.mix(covered, !crossing ? scattered_light(air, line, turn, true, true, onward)
+                           : over    ? light_over_cloud(air, line, *crossing, turn, onward)
+                                     : light_under_cloud(air, line, *crossing, turn, onward));
     }
     if (scale != 1.0 && line.size() > 0 && below_cloud(air.model, line.height_within(0, 0.0))) {
         light.scale(scale);

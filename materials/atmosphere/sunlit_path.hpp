@@ -37,8 +37,16 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                bool something_behind, const SightLine& onward = {});
 /// Mean of the parts of the sky without and with cloud, with something behind; scaled as the model
 /// says where the line starts below the cloud. Where the line falls through the cloud the covered
-/// part has the cloud's lit top.
+/// part has the cloud's lit top, where it rises through it the cloud's base.
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, const SightLine& onward = {});
+
+/// Where in the fluxes under cloud a height is: up to the cloud's top below the layer of air that
+/// holds the drops, from there on above it.
+HermiteWeights in_clouded_air(const SunlitAir& air, double height_km);
+
+/// Radiance of a cloud's base over its mean, under a cosine of the zenith angle: thick cloud shines
+/// as 1 + 2 cos z (Moon & Spencer 1942), thin cloud evenly.
+double base_brightness(const CloudLayer& cloud, double cosine);
 
 }  // namespace diurna

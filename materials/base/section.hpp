@@ -114,6 +114,10 @@ class Section {
                                 std::size_t count = 0) const;
     std::vector<double> numbers_or(const std::string& key, const char* says,
                                    Or<std::vector<double>> fallback, std::size_t count = 0) const;
+    /// That many numbers, or one of the given words, which is its default: no numbers then.
+    std::vector<double> numbers_or_word(const std::string& key, const char* says,
+                                        const std::string& word, std::size_t count,
+                                        Range range) const;
     std::vector<std::string> texts_or(const std::string& key, const char* says,
                                       Or<std::vector<std::string>> fallback) const;
     /// An array of arrays of `width` numbers, such as the corners of a polygon.

@@ -55,6 +55,31 @@ std::vector<double> Section::numbers_or(const std::string& key, const char* says
     return checked_numbers(key, std::move(fallback.value), count);
 }
 
+std::vector<double> Section::numbers_or_word(const std::string& key, const char* says,
+                                             const std::string& word, std::size_t count,
+                                             Range range) const {
+    if (!ask(key, says, Key::Kind::numbers,
+             {.fallback = word, .range = range, .count = count, .words = {word}})) {
+        return {};
+    }
+    const toml::node& node = *node_of(table_, key);
+    if (const toml::value<std::string>* text = node.as_string()) {
+        if (text->get() == word) return {};
+    }
+    const toml::array* const array = node.as_array();
+    std::vector<double> values(count);
+    bool fits = array != nullptr && array->size() == count;
+    for (std::size_t i = 0; fits && i < count; ++i) {
+        fits = finite_number((*array)[i], values[i]) && values[i] >= range.least &&
+               values[i] <= range.most;
+    }
+    if (fits) return values;
+    mistake(key,
+            fmt::format("found {}, expected \"{}\" or an array of {} numbers from {:g} to {:g}",
+                        shown(node), word, count, range.least, range.most));
+    return {};
+}
+
 std::vector<std::string> Section::texts_or(const std::string& key, const char* says,
                                            Or<std::vector<std::string>> fallback) const {
     const std::string value =

@@ -96,10 +96,9 @@ class Aureole {
         angle_deg.push_back(aureole_deg);
         const auto turned = field.path_by_turn(line_of(model, height_km, zenith_deg), angle_deg);
         excess_ = turned.at_angle;
-        const double clear = height_km < model.cloud.base_km ? 1.0 - model.cloud.over_sun() : 1.0;
         for (std::vector<double>& at : excess_) {
             for (std::size_t n = 0; n < at.size(); ++n) {
-                at[n] = clear * std::max(0.0, at[n] - turned.at_angle.back()[n]);
+                at[n] = std::max(0.0, at[n] - turned.at_angle.back()[n]);
             }
         }
         // ∫ dω over what is above the horizon.

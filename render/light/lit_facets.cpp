@@ -126,6 +126,25 @@ void add_sources(const FacetViews& views, const Reached& found,
     }
 }
 
+/// Facets on both sides of a height where light jumps.
+void set_heights_about_edge(const std::vector<double>& height_km, double edge_km, LitFacets& lit) {
+    double least = edge_km, below = -1e9, above = 1e9, most = edge_km;
+    for (const double z : height_km) {
+        least = std::min(least, z);
+        most = std::max(most, z);
+        if (z < edge_km) below = std::max(below, z);
+        if (z >= edge_km) above = std::min(above, z);
+    }
+    lit.height_km = {least, below, 0.5 * (above + most)};
+    const double span = std::max(1e-6, below - least);
+    for (std::size_t i = 0; i < height_km.size(); ++i) {
+        lit.height[i] = height_km[i] >= edge_km
+                            ? height_above_edge
+                            : straight_height + static_cast<float>(std::clamp(
+                                                    (height_km[i] - least) / span, 0.0, 1.0));
+    }
+}
+
 void set_heights(const RadianceInput& input, LitFacets& lit) {
     lit.height.assign(lit.facet.size(), 0.0f);
     if (lit.facet.empty()) return;
@@ -133,6 +152,10 @@ void set_heights(const RadianceInput& input, LitFacets& lit) {
     height_km.reserve(lit.facet.size());
     for (const FacetId facet : lit.facet) height_km.push_back(input.height_km(facet));
     const auto [least, most] = std::minmax_element(height_km.begin(), height_km.end());
+    if (*least < input.light_edge_km && *most >= input.light_edge_km) {
+        set_heights_about_edge(height_km, input.light_edge_km, lit);
+        return;
+    }
     lit.height_km = {*least, 0.5 * (*least + *most), *most};
     const double half = lit.height_km[1] - lit.height_km[0];
     for (std::size_t i = 0; i < lit.facet.size() && half > 1e-6; ++i) {

@@ -40,8 +40,9 @@ struct LitFacets {
     /// band × (1 − sky view). 0 if it is the source of none.
     std::vector<float> reach;
     std::vector<float> returned;           // (lit) that greatest reflectance × (1 − sky view)
-    std::vector<float> height;             // (lit) −1 to 1 from the lowest to the highest
-    std::array<double, 3> height_km{};     // least, middle, most of them
+    std::vector<float> height;             // (lit) for height_weights()
+    std::array<double, 3> height_km{};     // least, middle, most; with an edge within: least and
+                                           // most below it, the middle of those above
     std::vector<bool> material_used;       // (material)
     std::vector<ReflectionBounds> bounds;  // (band)
 };
@@ -51,8 +52,13 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
                      std::span<const Band> bands);
 
 /// Weights of the least, middle and greatest height for a height of −1 to 1: a quadratic, as
-/// optical depths fall off exponentially with height.
+/// optical depths fall off exponentially with height. Where light jumps in between
+/// (RadianceInput::light_edge_km): 4 to 5 straight from the first height to the second, 8 the
+/// third.
+inline constexpr float straight_height = 4.0f, height_above_edge = 8.0f;
 inline std::array<float, 3> height_weights(float y) {
+    if (y >= height_above_edge) return {0.0f, 0.0f, 1.0f};
+    if (y >= straight_height) return {straight_height + 1.0f - y, y - straight_height, 0.0f};
     return {0.5f * y * (y - 1.0f), 1.0f - y * y, 0.5f * y * (y + 1.0f)};
 }
 

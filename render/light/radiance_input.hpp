@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -41,14 +42,19 @@ struct RadianceInput {
     double wind_speed = 3.0;  // [m s⁻¹] 12.5 m above water, which it roughens
     /// None: beyond the edge lies a black plain at ground_height_km, as warm as the air on it.
     std::optional<FarGround> beyond{};
+    /// One height above the sea [km] whose sun and sky all facets have; none: each its own's.
+    std::optional<double> light_height_km{};
+    /// Height above the sea [km] at which sun and sky change at once: a cloud's top.
+    double light_edge_km = std::numeric_limits<double>::infinity();
 
     /// Height above the sea [km] of what lies beyond the scene's edge.
     double plain_height_km() const { return beyond ? beyond->height_km : ground_height_km; }
 
     /// Height above the sea [km] of a height above the origin's level surface [m].
     double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }
-    /// Height of a facet's middle above the sea [km].
+    /// Height above the sea [km] whose sun and sky a facet has: of its middle.
     double height_km(FacetId facet) const {
+        if (light_height_km) return *light_height_km;
         return above_sea_km(level_height(facets.centroid[index(facet)].cast<double>()));
     }
 };

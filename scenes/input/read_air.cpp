@@ -57,12 +57,14 @@ AirInput read_air(const Section& section) {
     std::vector<std::string> profiles = afgl_profile_names();
     profiles.insert(profiles.end(), {"season", "vacuum"});
     AirInput air;
-    air.profile = section.word_or("profile",
-                                  "AFGL profile; season: between the two AFGL profiles whose "
-                                  "temperatures enclose the mean of the weather's; at the ground "
-                                  "it is replaced by the weather's air, with a transition up to "
-                                  "1.5 km; vacuum: no air",
-                                  air.profile, profiles);
+    air.profile =
+        section.word_or("profile",
+                        "AFGL profile; season: between the two AFGL profiles whose "
+                        "temperatures enclose the mean of the weather's; at the ground "
+                        "it is replaced by the weather's air, with a transition up to "
+                        "1.5 km; vacuum: no air: sunlight that was not measured is that in "
+                        "space, the sky sends no light and no longwave radiation",
+                        air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
     air.by_season = air.profile == "season";
     air.aerosol = section.word_or("aerosol", "type of the haze near the ground", air.aerosol,
@@ -84,7 +86,8 @@ AirInput read_air(const Section& section) {
         "drives_heat",
         "compute sunlight and longwave radiation that were not measured from this atmosphere; "
         "false: from the broadband formulas of [sky]. Pictures and heat balance use the same "
-        "radiation. The default is false in a vacuum and with a table, which have no fluxes",
+        "radiation. The default is false with a table, which has no fluxes, and in a vacuum, where "
+        "the formulas have the sun in space and nothing else",
         has_fluxes);
     if (air.vacuum && air.drives_heat) {
         section.mistake("drives_heat", "a vacuum has no sky and no air to drive the heat balance");
@@ -100,7 +103,10 @@ AirInput read_air(const Section& section) {
 }
 
 void take_haze(const AirInput& air, const Section& section, ClearSky& sky) {
-    if (air.vacuum) return;
+    if (air.vacuum) {
+        sky = in_vacuum(sky);
+        return;
+    }
     BandModel model;
     // Before the weather is read, "season" has the haze of spring and summer.
     model.profile =

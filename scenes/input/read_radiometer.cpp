@@ -8,12 +8,12 @@ namespace {
 
 /// The way one receiver faces; none for six of them.
 std::optional<Eigen::Vector3d> read_normal(const Section& section) {
-    if (!section.has("normal")) return std::nullopt;
     const std::vector<double> axes =
-        section.numbers("normal",
-                        "[east, north, up] normal of one receiver; without it, six receivers face "
-                        "up, down, north, east, south and west",
-                        3);
+        section.numbers_or_word("normal",
+                                "[east, north, up] normal of one receiver; \"six\": six receivers "
+                                "face up, down, north, east, south and west",
+                                "six", 3, {-1e6, 1e6});
+    if (axes.empty()) return std::nullopt;
     const Eigen::Vector3d normal(axes[0], axes[1], axes[2]);
     if (!(normal.stableNorm() > 1e-6)) {
         section.mistake("normal", "has no direction, expected [east, north, up] such as [0, 0, 1]");

@@ -190,7 +190,8 @@ Scene read_scene(const Document& document) {
     take_haze(scene.air, sky, scene.sky);
     for (const char* key : {"aerosol_380nm", "aerosol_500nm", "ozone_cm", "precipitable_water_cm",
                             "sun", "linke_turbidity", "longwave"}) {
-        if (scene.air.drives_heat && sky.has(key)) scene.idle_sky_keys.emplace_back(key);
+        const bool idle = scene.air.drives_heat || scene.air.vacuum;
+        if (idle && sky.has(key)) scene.idle_sky_keys.emplace_back(key);
     }
     read_heights(weather, scene.air, scene.weather);
     scene.output =

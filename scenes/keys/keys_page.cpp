@@ -51,7 +51,8 @@ std::string type_of(const KeyEntry& entry) {
         case Key::Kind::moment:
             return "instant";
         case Key::Kind::numbers:
-            return entry.count == 0 ? "numbers" : fmt::format("{} numbers", entry.count);
+            return (entry.count == 0 ? "numbers" : fmt::format("{} numbers", entry.count)) +
+                   (entry.words.empty() ? "" : " or word");
         case Key::Kind::texts:
             return "texts";
         case Key::Kind::files:
@@ -83,7 +84,7 @@ std::string range_of(const KeyEntry& entry) {
                         : below ? fmt::format("at most {:.10g}", range.most)
                                 : fmt::format("{:.10g} to {:.10g}", range.least, range.most));
     }
-    if (entry.kind == Key::Kind::number) {
+    if (entry.kind == Key::Kind::number || entry.kind == Key::Kind::numbers) {
         texts.insert(texts.end(), entry.words.begin(), entry.words.end());
     }
     return fmt::format("{}", fmt::join(texts, " or "));

@@ -80,8 +80,11 @@ OrderedJson value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& e
             return {{"enum", entry.words}};
         case Key::Kind::flag:
             return {{"type", "boolean"}};
-        case Key::Kind::numbers:
-            return array_of(number, entry.count);
+        case Key::Kind::numbers: {
+            const OrderedJson schema = array_of(number, entry.count);
+            if (entry.words.empty()) return schema;
+            return {{"anyOf", OrderedJson::array({schema, OrderedJson{{"enum", entry.words}}})}};
+        }
         case Key::Kind::texts:
             return array_of({{"type", "string"}}, 0);
         case Key::Kind::files: {

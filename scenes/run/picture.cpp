@@ -16,7 +16,9 @@
 #include "render/view/pixel_sun.hpp"
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/ground_to_horizon.hpp"
+#include "scenes/run/light_heights.hpp"
 #include "scenes/run/light_source.hpp"
+#include "scenes/run/measured_materials.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
@@ -89,27 +91,30 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     const std::vector<float> temperature = field.interpolate(instant);
     const Atmosphere atmosphere = light_at(prepared, instant).air;
     const std::vector<SurfaceCover> cover = field.cover_at(instant);
+    const std::optional<MaterialLibrary> measured = measured_materials(prepared, instant);
+    const MaterialLibrary& materials = measured ? *measured : prepared.scene.materials;
     const std::optional<CoveredSurfaces> covered =
-        covered_surfaces(world.surfaces(), prepared.scene.materials, field.water.facet, cover);
+        covered_surfaces(world.surfaces(), materials, field.water.facet, cover);
     const std::vector<float> fraction =
         sun_on_surfaces(prepared, sun, prepared.scene.sun_samples,
-                        covered ? std::span<const FacetId>() : s.lit.facet);
+                        covered || measured ? std::span<const FacetId>() : s.lit.facet);
     const std::optional<FarGround> border =
         far_ground(world, covered ? covered->facets : world.surfaces(), temperature, views.sky);
-    const RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
-                            .views = views,
-                            .materials = covered ? covered->materials : prepared.scene.materials,
-                            .atmosphere = atmosphere,
-                            .temperature = temperature,
-                            .sun_fraction = fraction,
-                            .to_sun = sun_direction(sun),
-                            .sun_zenith_deg = 90.0 - sun.elevation_deg,
-                            .sun_distance_au = sun.distance_au,
-                            .ground_height_km = world.sea_level_height / 1000.0,
-                            .instant = instant,
-                            .moon = light.moon,
-                            .wind_speed = wind_at(prepared, instant),
-                            .beyond = seen_beyond(s.view, border, world.sea_level_height / 1000.0)};
+    RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
+                      .views = views,
+                      .materials = covered ? covered->materials : materials,
+                      .atmosphere = atmosphere,
+                      .temperature = temperature,
+                      .sun_fraction = fraction,
+                      .to_sun = sun_direction(sun),
+                      .sun_zenith_deg = 90.0 - sun.elevation_deg,
+                      .sun_distance_au = sun.distance_au,
+                      .ground_height_km = world.sea_level_height / 1000.0,
+                      .instant = instant,
+                      .moon = light.moon,
+                      .wind_speed = wind_at(prepared, instant),
+                      .beyond = seen_beyond(s.view, border, world.sea_level_height / 1000.0)};
+    set_light_heights(prepared, now);
     SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
     std::vector<float> before, after;
     if (blurred) {
@@ -120,14 +125,13 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     }
     PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
     if (!light.moon) {
-        set_pixel_heat(s.view, over, prepared.scene.materials, temperature,
-                       s.sampling.texture_levels, pixel_sun);
+        set_pixel_heat(s.view, over, materials, temperature, s.sampling.texture_levels, pixel_sun);
     }
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
                           .surfaces = s.input.surfaces,
-                          .lit = covered ? nullptr : &s.lit,
+                          .lit = covered || measured ? nullptr : &s.lit,
                           .secondary_rays = &s.secondary_rays,
                           .pixel_sun = &pixel_sun,
                           .plumes = prepared.plumes});
@@ -152,7 +156,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,
                                        .terms = false,
-                                       .lit = covered ? nullptr : &cube.lit,
+                                       .lit = covered || measured ? nullptr : &cube.lit,
                                        .secondary_rays = &s.secondary_rays,
                                        .pixel_sun = &pixel_sun,
                                        .plumes = prepared.plumes});

@@ -11,6 +11,7 @@
 #include "render/view/cast_view.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/run/behind_planes.hpp"
+#include "scenes/run/light_heights.hpp"
 
 namespace diurna {
 
@@ -100,12 +101,13 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
                                     .plumes = plumes,
                                     .wind_speed = mean_wind(prepared, frames)},
                                    s.observer, s.sampling, by_need ? &*by_need : nullptr);
-    const RadianceInput still{.facets = surfaces,
-                              .views = views,
-                              .materials = scene.materials,
-                              .atmosphere = Vacuum{},
-                              .temperature = {},
-                              .ground_height_km = prepared.world.sea_level_height / 1000.0};
+    RadianceInput still{.facets = surfaces,
+                        .views = views,
+                        .materials = scene.materials,
+                        .atmosphere = Vacuum{},
+                        .temperature = {},
+                        .ground_height_km = prepared.world.sea_level_height / 1000.0};
+    set_light_heights(prepared, still);
     const std::vector<FacetId> seen = seen_facets(s.view.facet, s.secondary_rays);
     s.lit = lit_facets(still, seen, s.bands);
     for (const std::string& name : s.input.cubes) {

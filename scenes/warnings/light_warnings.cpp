@@ -8,14 +8,40 @@
 
 namespace diurna {
 
+namespace {
+
+/// What was measured of a sky that a vacuum does not have.
+void warn_of_sky_in_vacuum(const Prepared& prepared, std::vector<Mistake>& warnings) {
+    double diffuse = 0.0, longwave = 0.0;
+    for (const Forcing& f : prepared.weather.sample) {
+        diffuse = std::fmax(diffuse, f.diffuse);
+        longwave = std::fmax(longwave, f.longwave_down);
+    }
+    constexpr double little = 5.0;  // [W m⁻²]
+    if (diffuse <= little && longwave <= little) return;
+    warnings.push_back(
+        {fmt::format("{}: atmosphere.profile", prepared.scene.file.string()),
+         fmt::format("the sky of a vacuum is black in pictures, but the weather has up to {:.0f} "
+                     "W/m2 of diffuse light and {:.0f} W/m2 of longwave, which the heat balance "
+                     "uses",
+                     diffuse, longwave),
+         "remove these columns, or name a profile"});
+}
+
+}  // namespace
+
 std::vector<Mistake> light_warnings(const Prepared& prepared) {
     const Scene& scene = prepared.scene;
     std::vector<Mistake> warnings;
     for (const std::string& key : scene.idle_sky_keys) {
         warnings.push_back({fmt::format("{}: sky.{}", scene.file.string(), key),
-                            "has no effect on clear skies: their light comes from [atmosphere]",
-                            "set atmosphere.visibility_km and its other keys, or "
-                            "atmosphere.drives_heat = false for the formulas of [sky]"});
+                            scene.air.vacuum ? "has no effect in a vacuum"
+                                             : "has no effect on clear skies: their light comes "
+                                               "from [atmosphere]",
+                            scene.air.vacuum ? "remove the key"
+                                             : "set atmosphere.visibility_km and its other keys, "
+                                               "or atmosphere.drives_heat = false for the formulas "
+                                               "of [sky]"});
     }
     const auto& samples = prepared.weather.sample;
     if (std::any_of(samples.begin(), samples.end(),
@@ -25,6 +51,7 @@ std::vector<Mistake> light_warnings(const Prepared& prepared) {
                             "different ways",
                             "measure global or direct and diffuse light; `diurna column` uses it"});
     }
+    if (scene.air.vacuum) warn_of_sky_in_vacuum(prepared, warnings);
     return warnings;
 }
 

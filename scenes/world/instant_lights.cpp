@@ -34,9 +34,6 @@ LightOfInstant light_over(const Scene& scene, const World& world, const SkySerie
     const SunPosition sun = apparent_sun(world.site, world.sea_level_height, weather, instant);
     const SunLight lit{.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au};
     const double ground_km = world.sea_level_height / 1000.0;
-    if (std::holds_alternative<Vacuum>(air)) {
-        return {.air = air, .sums = ground_fluxes(air, lit, ground_km), .cloud_cover = 0.0};
-    }
     const SkyState known = sky_at_origin(scene, world, sky, instant);
     if (const auto* model = std::get_if<BandModel>(&air)) {
         return light_of_instant(*model, lit, ground_km,

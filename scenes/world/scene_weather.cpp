@@ -5,6 +5,7 @@
 
 #include "scenes/world/air_spread.hpp"
 #include "scenes/world/driven_weather.hpp"
+#include "scenes/world/light_at_heights.hpp"
 #include "scenes/world/upper_air.hpp"
 #include "thermal/weather/cropped_weather.hpp"
 #include "thermal/weather/sky_series.hpp"
@@ -42,9 +43,14 @@ Weather scene_weather(const Scene& scene, const World& world, Weather measured) 
     const double height = measured.height;
     const SkySeries series(std::move(measured), world.site, height, scene.sky, scene.time.start,
                            scene.time.end());
-    if (!scene.air.drives_heat) return series.weather();
+    if (!scene.air.drives_heat) {
+        Weather weather = series.weather();
+        weather.by_height = light_at_heights(scene, world, weather, weather);
+        return weather;
+    }
     Weather driven = driven_weather(scene, world, series);
     driven.spreads = air_spread(scene, world, driven);
+    driven.by_height = light_at_heights(scene, world, driven, series.weather());
     return driven;
 }
 

@@ -67,3 +67,18 @@ TEST_CASE("drops that absorb nothing pass what closed forms of two streams pass"
         CHECK(cloud_transmittance(depth, 0.6) < most);
     }
 }
+
+TEST_CASE("an overcast without a beam is as thick as the light it passes says",
+          "[materials][cloud]") {
+    for (const double sun : {0.2, 0.6, 1.0}) {
+        for (const double passed : {0.05, 0.25, 0.5}) {
+            const SunlitCloud cloud = cloud_of_effect({.global = passed, .beam = 0.0}, sun);
+            CAPTURE(sun, passed, cloud.optical_depth);
+            CHECK(cloud.fraction == 1.0);
+            CHECK(cloud_transmittance(cloud.optical_depth, sun) == Approx(passed).margin(2e-3));
+        }
+    }
+    // A beam that fades to none changes nothing at once.
+    CHECK(cloud_of_effect({.global = 0.25, .beam = 1e-6}, 0.7).optical_depth ==
+          Approx(cloud_of_effect({.global = 0.25, .beam = 0.0}, 0.7).optical_depth).epsilon(1e-4));
+}

@@ -93,3 +93,39 @@ TEST_CASE("a thick cloud's sunlit top is as bright as its closed-form albedo say
     CHECK(path_at_nodes(model, chord(3.0, 0.0, 3.0), um).transmittance[0] < 1e-4);
     CHECK(path_at_nodes(model, chord(0.9, 0.0, 0.9), um).transmittance[0] > 0.95);
 }
+
+TEST_CASE("what stands behind a thick cloud looks like the sky beside it", "[materials][cloud]") {
+    const std::vector<double> node_um = {0.55, 0.87, 1.6, 2.1, 3.7};
+    BandModel model = cloudy(1.0);
+    model.cloud.optical_depth = 40.0;
+    model.scale.diffuse = GENERATE(1.0, 1.3);
+    const SunField field(model, {.zenith_deg = 30.0}, node_um);
+    const double zenith_deg = GENERATE(0.0, 50.0);
+    const double range = 2.5 / std::cos(radians(zenith_deg));
+    const auto sky = field.sky(0.01, zenith_deg, 90.0);
+    const auto before = field.path(chord(0.01, 2.51, range), zenith_deg, 90.0);
+    const SunFlux above = field.flux(60.0);
+    for (std::size_t n = 0; n < node_um.size(); ++n) {
+        CAPTURE(zenith_deg, node_um[n]);
+        CHECK(before[n] == Approx(sky[n]).epsilon(0.02));
+        CHECK(std::numbers::pi * before[n] < above.direct[n]);
+    }
+}
+
+TEST_CASE("light is the cloud's up to its top, and the clear sky's above", "[materials][cloud]") {
+    const std::vector<double> node_um = {0.6};
+    BandModel model = cloudy(1.0);  // base 1 km, top 1.4 km
+    model.cloud.optical_depth = 30.0;
+    model.scale = {.beam = 1.0, .diffuse = 1.1};
+    const SunField field(model, {.zenith_deg = 30.0}, node_um);
+    const SunField clear(cloudy(0.0), {.zenith_deg = 30.0}, node_um);
+    CHECK(field.flux(1.39).direct[0] < 1e-6);
+    CHECK(field.flux(1.39).down[0] == Approx(field.flux(1.0).down[0]).epsilon(1e-4));
+    CHECK(field.flux(1.41).direct[0] == Approx(clear.flux(1.41).direct[0]).epsilon(1e-9));
+    // A bright cloud below sends light back into the sky: more than the clear sky's, by little.
+    CHECK(field.flux(1.41).down[0] > clear.flux(1.41).down[0]);
+    CHECK(field.flux(1.41).down[0] < 0.3 * field.flux(1.41).direct[0]);
+    CHECK(solar_at_nodes(Atmosphere(model), 1.39, 30.0, 1.0, node_um)[0] < 1e-6);
+    CHECK(solar_at_nodes(Atmosphere(model), 1.41, 30.0, 1.0, node_um)[0] ==
+          Approx(field.flux(1.41).direct[0]).epsilon(1e-6));
+}

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "materials/atmosphere/sun_field.hpp"
 #include "materials/base/units.hpp"
 
 using namespace diurna;
@@ -109,5 +110,30 @@ TEST_CASE("no sun and no light are no numbers to divide by", "[materials][light]
         CHECK(std::isfinite(light.sums.sun_direct));
         CHECK(std::isfinite(light.sums.sun_diffuse));
         CHECK(std::isfinite(light.sums.thermal));
+    }
+}
+
+TEST_CASE("an overcast sends back, passes and absorbs what comes in", "[materials][light][cloud]") {
+    // At 0.45 to 0.48 µm drops and ozone absorb a few per cent at most: what goes up at the top and
+    // what black ground keeps are the rest.
+    const std::vector<double> node_um = {0.45, 0.48};
+    const SunLight sun{.zenith_deg = 35.0, .ground_albedo = 0.0};
+    const double top = 1361.0 * std::cos(radians(35.0));
+    for (const double diffuse : {120.0, 250.0, 500.0}) {
+        const KnownLight known{0.0, diffuse, 390.0};
+        BandModel model = air("MLS", 23.0, 1.0);
+        model.aerosol = "none";
+        const LightOfInstant light = light_of_instant(model, sun, ground_km, known);
+        const SunField field(std::get<BandModel>(light.air), sun, node_um);
+        const SunFlux high = field.flux(60.0), low = field.flux(ground_km);
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            const double in = high.direct[n] * std::cos(radians(35.0));
+            const double back = high.up[n] / in, passed = low.down[n] / in;
+            CAPTURE(diffuse, node_um[n], back, passed);
+            CHECK(back + passed < 1.02);
+            CHECK(back + passed > 0.93);
+            // Less passes in the mean of all wavelengths, where vapour absorbs.
+            CHECK(passed > diffuse / top);
+        }
     }
 }

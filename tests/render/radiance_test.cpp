@@ -365,3 +365,13 @@ TEST_CASE("ground beyond the scene's edge is seen as a level facet of it is",
     CAPTURE(from, to);
     CHECK(found == Approx(facet + path).epsilon(allowed));
 }
+
+TEST_CASE("heights on both sides of a cloud's top do not share light", "[render][radiance]") {
+    for (const float y : {-1.0f, -0.3f, 0.0f, 0.7f, 1.0f, 4.0f, 4.25f, 5.0f, 8.0f}) {
+        const auto up = height_weights(y);
+        CHECK(up[0] + up[1] + up[2] == Approx(1.0f));
+    }
+    CHECK(height_weights(4.25f)[0] == Approx(0.75f));
+    CHECK(height_weights(4.25f)[2] == 0.0f);
+    CHECK(height_weights(height_above_edge)[2] == 1.0f);
+}

@@ -4,8 +4,11 @@
 #include <fstream>
 #include <string>
 
+#include "materials/matter/broadband.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
+#include "scenes/run/light_heights.hpp"
+#include "scenes/run/measured_materials.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
@@ -64,6 +67,52 @@ TEST_CASE("reflected light is used for the material it was measured over, or not
 
     const Prepared sand = prepared("measured_over = \"sand\"\n");
     CHECK(notes_of(sand).find("no surface is of \"sand\"") != std::string::npos);
+}
+
+TEST_CASE("pictures reflect the share of sunlight that was measured", "[scenes][weather][albedo]") {
+    const Prepared grass = prepared("measured_over = \"grass\"\n");
+    const Instant noon = later(grass.scene.time.start, 12.0 * 3600.0);
+    const auto materials = measured_materials(grass, noon);
+    REQUIRE(materials);
+    const MaterialLibrary& own = grass.scene.materials;
+    const MaterialId id = own.find("grass"), other = own.find("asphalt");
+    // 125 of 500 W/m² were measured; heat radiates as before.
+    CHECK(solar_mean((*materials)[id].reflectance) == Approx(0.25).margin(1e-6));
+    CHECK((*materials)[id].reflectance.at(10.0) == Approx(own[id].reflectance.at(10.0)));
+    CHECK((*materials)[other].reflectance.value == own[other].reflectance.value);
+    CHECK_FALSE(measured_materials(prepared(""), noon));
+}
+
+TEST_CASE("pictures have one sun and sky at all heights where the heat balance has",
+          "[scenes][weather][heights]") {
+    for (const bool level : {true, false}) {
+        const Prepared p = prepared(level ? "lapse = 0\n" : "");
+        const FacetViews none;
+        const Atmosphere vacuum = Vacuum{};
+        RadianceInput input{.facets = p.world.surfaces(),
+                            .views = none,
+                            .materials = p.scene.materials,
+                            .atmosphere = vacuum,
+                            .temperature = {},
+                            .ground_height_km = p.world.sea_level_height / 1000.0};
+        set_light_heights(p, input);
+        const auto height = [&](std::size_t f) {
+            return input.height_km(FacetId{static_cast<std::uint32_t>(f)});
+        };
+        double least = 1e9, most = -1e9;
+        for (std::size_t f = 0; f < p.world.surfaces().size(); ++f) {
+            least = std::min(least, height(f));
+            most = std::max(most, height(f));
+        }
+        CAPTURE(level, least, most);
+        if (level) {
+            CHECK(least == input.ground_height_km);
+            CHECK(most == input.ground_height_km);
+        } else {
+            CHECK(most - least > 0.05);
+            CHECK(input.light_edge_km == Approx(input.ground_height_km + 2.3));
+        }
+    }
 }
 
 TEST_CASE("a scene is refused a day that its weather file does not hold",

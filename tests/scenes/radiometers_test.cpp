@@ -183,4 +183,21 @@ TEST_CASE("radiometers that cannot stand where they are put are refused",
     write_text(folder.path / "scene.toml",
                text + "[[radiometer]]\nname = \"r\"\nplace_m = [5, 5]\nnormal = [0, 0, 0]\n");
     CHECK_THROWS_WITH(read_scene(folder.path / "scene.toml"), Catch::Contains("no direction"));
+    // One line each, which names what is right.
+    for (const char* normal :
+         {"\"up\"", "[1e300, 1e300, 0]", "[nan, 0, 1]", "[1, 0]", "[0, \"a\", 1]", "3"}) {
+        write_text(folder.path / "scene.toml",
+                   text + "[[radiometer]]\nname = \"r\"\nplace_m = [5, 5]\nnormal = " + normal);
+        CAPTURE(normal);
+        try {
+            read_scene(folder.path / "scene.toml");
+            FAIL("read without a mistake");
+        } catch (const InputError& error) {
+            CHECK(error.mistakes().size() == 1);
+            CHECK_THAT(error.what(), Catch::Contains("expected \"six\" or an array of 3 numbers"));
+        }
+    }
+    write_text(folder.path / "scene.toml",
+               text + "[[radiometer]]\nname = \"r\"\nplace_m = [5, 5]\nnormal = \"six\"\n");
+    CHECK_FALSE(read_scene(folder.path / "scene.toml").radiometers.at(0).normal);
 }

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "thermal/weather/light_by_height.hpp"
+
 using namespace diurna;
 
 namespace {
@@ -74,4 +76,49 @@ TEST_CASE("under thick cloud heights gain by what the clear sky as a whole gains
     CHECK(there.direct_normal == 0.0);
     CHECK(there.diffuse_horizontal > 120.0);
     CHECK(there.diffuse_horizontal < 1.15 * 120.0);
+}
+
+TEST_CASE("above a cloud's top the scene's air has the say, below it the station",
+          "[thermal][sky][heights]") {
+    Forcing now;
+    now.air = alpine;
+    now.direct_normal = 0.0;
+    now.diffuse = 120.0;
+    now.cloud_fraction = 1.0;
+    LightByHeight air;
+    air.cloud_top = 1500.0;
+    air.instant = {parse_instant("2026-07-15T12:00:00Z"), parse_instant("2026-07-15T13:00:00Z")};
+    air.height = {1500.5, 3000.0};
+    air.ratio = {{1.0, 1.0, 1.0}, {1.1, 1.0, 1.0}, {1.0, 2.0, 1.0}, {1.1, 2.0, 1.2}};
+    const AirByHeight rule{.station = low};
+    SkyState sky = sky_state(SunPosition{180.0, 50.0, 1.0}, low, now, {});
+    sky.by_height = &air;
+    sky.when = parse_instant("2026-07-15T12:30:00Z");
+    const auto at = [&](double height) {
+        return sky_at_height(sky, now, air_at_height(rule, now.air, height), rule, height, {});
+    };
+    CHECK(at(1400.0).direct_normal == 0.0);
+    CHECK(at(1400.0).longwave_down > 330.0);  // overcast
+    const AirState high = air_at_height(rule, now.air, 3000.0);
+    const Sunlight formula = clear_sunlight(sky.sun, high, 3000.0, {});
+    CHECK(at(3000.0).direct_normal == Approx(1.1 * formula.direct_normal));
+    CHECK(at(3000.0).diffuse_horizontal == Approx(1.5 * formula.diffuse_horizontal));
+    CHECK(at(3000.0).longwave_down == Approx(1.1 * clear_longwave(high)));
+}
+
+TEST_CASE("a vacuum has the sun as in space and nothing else", "[thermal][sky]") {
+    // Kopp & Lean 2011: 1361 W/m² at 1 au.
+    const ClearSky vacuum = in_vacuum({});
+    Forcing now;
+    now.air = alpine;
+    now.cloud_fraction = GENERATE(0.0, 1.0, not_measured);
+    const SkyState sky = sky_state(SunPosition{180.0, 40.0, 1.0165}, low, now, vacuum);
+    CHECK(sky.direct_normal == Approx(1361.0 / (1.0165 * 1.0165)).epsilon(1e-12));
+    CHECK(sky.diffuse_horizontal == Approx(0.0).margin(1e-9));
+    CHECK(sky.longwave_down == 0.0);
+    CHECK(sky.tilted_longwave == 0.0);
+    const SkyState night = sky_state(SunPosition{0.0, -30.0, 1.0}, low, now, vacuum);
+    CHECK(night.direct_normal == 0.0);
+    now.longwave_down = 12.0;
+    CHECK(sky_state(SunPosition{0.0, -30.0, 1.0}, low, now, vacuum).longwave_down == 12.0);
 }

@@ -25,6 +25,9 @@ struct AirTiers {
 /// facet_height  (facet) [m] above the sea; empty: all at the station. Where all are within a metre
 ///               of the station (6.5 mK), or there is no rule or it has the same air everywhere,
 ///               there is one tier and nothing is spent on heights.
-AirTiers air_tiers(const AirByHeight* rule, const std::vector<float>& facet_height);
+///
+/// edges  ascending [m], where light jumps: tiers more there
+AirTiers air_tiers(const AirByHeight* rule, const std::vector<float>& facet_height,
+                   const std::vector<double>& edges = {});
 
 }  // namespace diurna

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "terrain/visibility/two_sides.hpp"
+#include "thermal/weather/light_by_height.hpp"
 
 namespace diurna {
 
@@ -16,7 +17,9 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
       step(how.duration / double(instant.size() - 1)),
       facets(given.facets.size()),
       counted(facets - given.beside),
-      tiers(air_tiers(given.by_height, given.height)),
+      tiers(air_tiers(
+          given.by_height, given.height,
+          given.weather.by_height ? given.weather.by_height->edges() : std::vector<double>{})),
       optics(facet_optics(given.facets, given.materials)),
       other_side(other_sides(given.facets)) {
     for (const NetworkObject& object : given.network) {

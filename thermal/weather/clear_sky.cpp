@@ -69,8 +69,19 @@ Sunlight ineichen_clear_sky(double sun_elevation_deg, double distance_au, double
     return {direct, std::max(0.0, global - direct * cosine)};
 }
 
+ClearSky in_vacuum(ClearSky sky) {
+    sky.bare_sun = true;
+    sky.longwave = LongwaveFormula::none;
+    sky.longwave_by_direction = false;
+    return sky;
+}
+
 Sunlight clear_sunlight(const SunPosition& sun, const AirState& air, double elevation,
                         const ClearSky& clear) {
+    if (clear.bare_sun) {
+        if (!(sun.elevation_deg > 0.0)) return {0.0, 0.0};
+        return {solar_constant / (sun.distance_au * sun.distance_au), 0.0};
+    }
     const double pressure = air.pressure > 0.0 ? air.pressure : standard_pressure(elevation);
     if (!std::isnan(clear.linke_turbidity)) {
         return ineichen_clear_sky(sun.elevation_deg, sun.distance_au, pressure, elevation,
@@ -97,6 +108,8 @@ double clear_longwave(const AirState& air, LongwaveFormula formula) {
             return (0.70 + 5.95e-5 * e * std::exp(1500.0 / t)) * black;
         case LongwaveFormula::swinbank:
             return 5.31e-13 * std::pow(t, 6);
+        case LongwaveFormula::none:
+            return 0.0;
         case LongwaveFormula::dilley_obrien:
             break;
     }
@@ -110,6 +123,7 @@ double clear_longwave(const AirState& air) {
 }
 
 double cloudy_longwave(const AirState& air, double cloud_fraction, LongwaveFormula formula) {
+    if (formula == LongwaveFormula::none) return 0.0;
     const double black = stefan_boltzmann * power4(air.temperature);
     // (T25) of docs/theory.md
     return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air, formula);

@@ -7,8 +7,9 @@
 
 namespace diurna {
 
-/// Longwave of the clear sky from air temperature and vapour pressure near the ground, by name.
-enum class LongwaveFormula { dilley_obrien, brutsaert, prata, brunt, idso, swinbank };
+/// Longwave of the clear sky from air temperature and vapour pressure near the ground, by name;
+/// `none`: no air sends any, under whatever cloud.
+enum class LongwaveFormula { dilley_obrien, brutsaert, prata, brunt, idso, swinbank, none };
 
 /// What a cloudless sky does to sunlight (Bird & Hulstrom 1981; Ineichen & Perez 2002 where a
 /// turbidity is given) and which formula stands for its longwave.
@@ -23,7 +24,12 @@ struct ClearSky {
     LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
     /// The sky is brighter towards the horizon, which tilted facets see (sky_shape.hpp).
     bool longwave_by_direction = true;
+    /// Nothing between sun and ground: the beam is the solar constant at the sun's distance, and
+    /// there is no other light. With LongwaveFormula::none: a vacuum (in_vacuum()).
+    bool bare_sun = false;
 };
+/// The sky of a place without air: the sun as in space, black and cold all round.
+ClearSky in_vacuum(ClearSky sky);
 
 /// Water above the place [cm] from the vapour near the ground, 46.5 e/T (e in hPa; Prata 1996).
 double precipitable_water_cm(const AirState& air);

@@ -14,6 +14,8 @@ namespace diurna {
 ///   and water above. Aerosol is left as it is: where haze is thick and shallow, heights get less
 ///   sun than they have.
 /// - diffuse: likewise; under cloud it follows the clear sky's global light instead
+/// - above the top of a scene's cloud, and sunlight in thick haze: the scene's air's
+///   (light_by_height.hpp), so that above the cloud there is the clear sky that pictures have
 /// - albedo and what was measured on a facet's plane stay.
 ///
 /// now    the station's weather, its cloud inferred where it was not seen (SkySeries::weather)

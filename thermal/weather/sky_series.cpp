@@ -12,6 +12,12 @@ namespace diurna {
 namespace {
 
 constexpr double day = 86400.0;
+/// What measured sunlight is compared with: a vacuum's sky has no diffuse light to compare with.
+ClearSky with_air(ClearSky clear) {
+    clear.bare_sun = false;
+    return clear;
+}
+
 constexpr double least_global = 5.0;  // [W m⁻²]: below, offsets outweigh the albedo they give
 
 }  // namespace
@@ -21,7 +27,7 @@ SkySeries::SkySeries(Weather weather, const Site& site, double elevation, const 
     : weather_(std::move(weather)),
       elevation_(elevation),
       clear_(clear),
-      course_(weather_, site, elevation, clear, later(from, -day), later(to, day)) {
+      course_(weather_, site, elevation, with_air(clear), later(from, -day), later(to, day)) {
     infer_cloud();
     if (const std::string reported = tell(course_.report()); !reported.empty()) {
         weather_.note += (weather_.note.empty() ? "" : "; ") + reported;
@@ -71,27 +77,30 @@ double SkySeries::albedo_at(Instant when) const {
 SkyState SkySeries::at(Instant when, const SunPosition& geometric) const {
     Forcing now = weather_.at(when);
     if (weather_.sample.size() == 1)
-        return spread(when, sky_state(geometric, elevation_, now, clear_));
+        return placed(when, sky_state(geometric, elevation_, now, clear_));
     const SunPosition sun = apparent_sun(geometric, now.air, elevation_);
-    const Sunlight light =
-        course_.at(when, sun.elevation_deg > 0.0 ? clear_sunlight(sun, now.air, elevation_, clear_)
-                                                 : Sunlight{0.0, 0.0});
+    const Sunlight light = course_.at(
+        when, sun.elevation_deg > 0.0 ? clear_sunlight(sun, now.air, elevation_, with_air(clear_))
+                                      : Sunlight{0.0, 0.0});
     now.shortwave_down = now.shortwave_up = not_measured;
     now.direct_normal = light.direct_normal;
     now.diffuse = light.diffuse_horizontal;
     SkyState sky = sky_state(geometric, elevation_, now, clear_);
     sky.albedo = albedo_at(when);
-    return spread(when, sky);
+    return placed(when, sky);
 }
 
-SkyState SkySeries::spread(Instant when, SkyState sky) const {
+SkyState SkySeries::placed(Instant when, SkyState sky) const {
+    sky.by_height = weather_.by_height.get();
+    sky.when = when;
     if (weather_.spreads && sky.to_sun.z() > 0.0)
         sky.split = weather_.spreads->at(when, sky.to_sun);
     return sky;
 }
 
 SkyState SkySeries::dark(Instant when) const {
-    return sky_state(SunPosition{0.0, -90.0, 1.0}, elevation_, weather_.at(when), clear_);
+    return placed(when,
+                  sky_state(SunPosition{0.0, -90.0, 1.0}, elevation_, weather_.at(when), clear_));
 }
 
 }  // namespace diurna

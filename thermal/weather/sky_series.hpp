@@ -29,7 +29,7 @@ class SkySeries {
  private:
     void infer_cloud();
     double albedo_at(Instant when) const;
-    SkyState spread(Instant when, SkyState sky) const;
+    SkyState placed(Instant when, SkyState sky) const;
 
     Weather weather_;
     double elevation_;

@@ -70,7 +70,8 @@ void model_sun(const Forcing& forcing, double pressure, double elevation, const 
     AirState air = forcing.air;
     air.pressure = pressure;
     const Sunlight sun = clear_sunlight(sky.sun, air, elevation, clear);
-    const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
+    const bool cloudless = std::isnan(forcing.cloud_fraction) || clear.bare_sun;
+    const double cloud = cloudless ? 0.0 : forcing.cloud_fraction;
     const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
     // (T26) of docs/theory.md
     const CloudEffect left = kasten_czeplak(cloud);

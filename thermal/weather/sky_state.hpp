@@ -22,6 +22,9 @@ struct SkyState {
     double tilted_longwave = 0.0;          // what tilted_sky_excess multiplies [W m⁻²]
     double albedo = not_measured;          // measured up over down, replaces the material's
     double plane_of_array = not_measured;  // measured on the facet, replaces the transposition
+    /// Of the series it comes from, which outlives it; null: formulas carry it to other heights.
+    const LightByHeight* by_height = nullptr;
+    Instant when{};  // for that
 
     double global_horizontal() const;
 };

@@ -40,6 +40,14 @@ Measured measured(const Weather& weather, std::size_t i) {
     return {over(f.direct_normal), over(f.diffuse), over(f.shortwave_down)};
 }
 
+/// Three instruments that should agree: what is left over is the diffuse light's, the weakest. More
+/// than a quarter apart, one is dirty or shaded: the global is not believed.
+bool diffuse_is_rest(const Measured& light, double beam) {
+    if (!light.has_global() || !light.has_diffuse()) return light.has_global();
+    const double rest = std::max(0.0, light.global - beam);
+    return std::abs(rest - light.diffuse) <= 0.25 * light.global;
+}
+
 /// The moments of a row: three Gauss points to five minutes of sun, thirty at least.
 SunRow survey(const Weather& weather, std::size_t i, ClearCourse& clear) {
     constexpr std::array<std::array<double, 2>, 3> gauss{
@@ -76,8 +84,9 @@ SunRow survey(const Weather& weather, std::size_t i, ClearCourse& clear) {
     row.skylight = std::fmax(light.global, light.diffuse) / seconds_of(weather, i);
     if (row.lit && row.clear.mean_sine() > low_sine && row.known_direct && row.known_diffuse) {
         const double beam = light.direct_normal / row.clear.direct * row.clear.horizontal;
-        row.clearness =
-            (light.has_global() ? light.global : beam + light.diffuse) / row.clear.global();
+        const bool three = light.has_global() && light.has_direct() && light.has_diffuse();
+        const bool believed = light.has_global() && (!three || diffuse_is_rest(light, beam));
+        row.clearness = (believed ? light.global : beam + light.diffuse) / row.clear.global();
     }
     return row;
 }
@@ -142,14 +151,6 @@ double share_of_diffuse(const Weather& weather, const SunRow& row, double global
     // models, fitted to all kinds of air, make a tenth too little direct light of it.
     const double bright = std::clamp((global / air.global() - 0.9) / 0.1, 0.0, 1.0);
     return std::lerp(modelled, air.diffuse / air.global(), bright * bright * (3.0 - 2.0 * bright));
-}
-
-/// Three instruments that should agree: what is left over is the diffuse light's, the weakest. More
-/// than a quarter apart, one is dirty or shaded: the global is not believed.
-bool diffuse_is_rest(const Measured& light, double beam) {
-    if (!light.has_global() || !light.has_diffuse()) return light.has_global();
-    const double rest = std::max(0.0, light.global - beam);
-    return std::abs(rest - light.diffuse) <= 0.25 * light.global;
 }
 
 /// A row's light over the clear sky's.

@@ -14,6 +14,7 @@
 namespace diurna {
 
 struct Profile;
+struct LightByHeight;
 struct SkySpreads;
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
@@ -64,6 +65,8 @@ struct Weather {
     std::shared_ptr<const Profile> above{};
     /// How its scattered sunlight is spread over the sky; null: by perez_split().
     std::shared_ptr<const SkySpreads> spreads{};
+    /// Its light where heights differ by more than formulas say; null: nowhere.
+    std::shared_ptr<const LightByHeight> by_height{};
 
     Forcing at(Instant when) const;
     AirState air_at(Instant when) const;

@@ -9,6 +9,7 @@
 #include "materials/base/number_of.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
+#include "thermal/weather/light_contradictions.hpp"
 #include "thermal/weather/sun_lag.hpp"
 
 namespace diurna {
@@ -242,6 +243,9 @@ std::vector<Mistake> weather_warnings(const Weather& weather, const Site& place,
     warn_of_states(weather, begin, end, where, warnings);
     if (!warn_of_times(weather, site, begin, end, where, warnings)) {
         warn_of_sunlight(weather, site, begin, end, where, warnings);
+        for (Mistake& of : light_contradictions(weather, site, begin, end, where)) {
+            warnings.push_back(std::move(of));
+        }
     }
     return warnings;
 }

@@ -25,6 +25,8 @@ namespace diurna {
 /// course
 ///   of light that is more than 40 minutes off the sun's (sun_lag.hpp), within 5 days of the middle
 ///
+/// - light that contradicts itself (light_contradictions.hpp), where times are not in doubt
+///
 /// The weather's own warnings come first. The sun is that of its station, where the file names one
 /// more than a degree from the site. Hints advise what the file's format allows.
 ///

@@ -17,7 +17,7 @@
 
 namespace diurna {
 
-/// All that is worked out in a band at an instant before any facet is looked at.
+/// All quantities of a band at an instant that do not depend on the facet.
 struct BandLight {
     Band band;
     Channels channels = {};
@@ -27,7 +27,7 @@ struct BandLight {
     std::vector<NodeOptics> optics = {};         // (material)
     std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
-    LightByOrigin far_ground = {};  // far_ground_light(); empty: there is none
+    LightByOrigin far_ground = {};  // far_ground_light(); empty: none
 
     const ScatteredSun* sun_field() const { return scattered ? &*scattered : nullptr; }
 };

@@ -9,9 +9,9 @@
 
 namespace diurna {
 
-// What is seen where the scene ends: sky, or below the horizon the air down to a far plain. That is
-// RadianceInput::beyond, level ground of a material and temperature of its own; where there is none
-// it lies at the height of the scene's origin, black and as warm as the air on it.
+// The background beyond the scene: sky, or below the horizon the air in front of a far plain. That
+// is RadianceInput::beyond, level ground with its own material and temperature; without it, a black
+// plain at the height of the scene's origin, at the temperature of the air there.
 
 /// Zenith angle [deg] below which a ray from `height_km` ends on the far plain.
 double horizon_zenith_deg(const RadianceInput& input, double height_km);
@@ -19,16 +19,16 @@ double horizon_zenith_deg(const RadianceInput& input, double height_km);
 /// Thermal radiance of the background in a direction, per node [W m⁻² sr⁻¹ µm⁻¹], with the
 /// sunlight that the far plain reflects.
 ///
-/// - onward: leads from an eye to that height, where a mirror is: what of it arrives at the eye
-/// - far: far_ground_light() of these nodes; empty: the plain is black and as warm as the air on it
+/// - onward: path from an eye to that height (a mirror): returns the part that arrives at the eye
+/// - far: far_ground_light() of these nodes; empty: a black plain at the air's temperature
 ///
-/// The air takes of what the plain reflects of the sky as much as of what it emits; of sunlight
-/// what its way down has left to take.
+/// Sky light reflected by the plain is attenuated like its emission; for sunlight the path down to
+/// the plain is included.
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
                                   std::span<const double> node_um, const SightLine& onward = {},
                                   const LightByOrigin& far = {});
-/// Sunlight that comes from there, under several azimuths, (azimuth)(node): of the sky, or of the
-/// air before the plain. Several cost little more than one.
+/// Scattered sunlight from there, under several azimuths, (azimuth)(node): of the sky, or of the
+/// air before the plain. Several take little more time than one.
 std::vector<std::vector<double>> scattered_backgrounds_at(
     const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
     std::span<const double> azimuth_from_sun_deg, const SightLine& onward = {});

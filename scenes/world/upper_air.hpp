@@ -9,11 +9,11 @@
 namespace diurna {
 
 /// The profile of a scene's air, before the weather of an instant replaces its lowest part: the
-/// sounding, the AFGL profile that is named, or Weather::above.
+/// sounding, the named AFGL profile, or Weather::above.
 std::shared_ptr<const Profile> upper_air(const Scene& scene, const Weather& weather);
 
-/// Weather::above: the profile of the season by the mean temperature at the station's height from
-/// one instant to another, a day at least. Null, and no note, where the scene has its own.
+/// Sets Weather::above: the seasonal profile for the mean temperature at the station's height from
+/// one instant to another, at least a day. Null, and no note, if the scene has its own.
 void take_upper_air(const Scene& scene, Instant from, Instant to, Weather& weather);
 
 }  // namespace diurna

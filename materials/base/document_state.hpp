@@ -41,25 +41,30 @@ struct DocumentState {
     std::map<std::string, Table> table;  // by its path: "terrain.rule[0]"
     std::vector<Key> keys;               // in the order of reading
 
-    /// Of several tables [[observer]] with different names: "observer[1]" -> "observer.east", as
-    /// --set and warnings name them.
-    std::map<std::string, std::string> by_name;
+    /// A table [[observer]] by its name: "observer[1]" -> "observer.east", as --set and warnings
+    /// name it. `several`: it is not the only one.
+    struct Named {
+        std::string path;
+        bool several = false;
+    };
+    std::map<std::string, Named> by_name;
 
-    /// The path with names instead of numbers, where tables have names.
-    std::string named(const std::string& path) const {
+    /// The path with names instead of numbers; without `always` only of several tables.
+    std::string named(const std::string& path, bool always) const {
         for (std::size_t end = path.rfind(']'); end != std::string::npos && end > 0;
              end = path.rfind(']', end - 1)) {
             const auto found = by_name.find(path.substr(0, end + 1));
-            if (found != by_name.end()) return found->second + path.substr(end + 1);
+            if (found == by_name.end() || !(always || found->second.several)) continue;
+            return found->second.path + path.substr(end + 1);
         }
         return path;
     }
-    /// "file:line:column: path.to.key"
+    /// "file:line:column: path.to.key"; of a setting "--set path.to.key"
     std::string place(const toml::source_region& source, const std::string& path) const {
         const bool set = source.path && source.path->starts_with("--set ");
-        if (set || source.begin.line == 0) return "--set " + named(path);  // not from the file
+        if (set || source.begin.line == 0) return "--set " + named(path, true);
         return fmt::format("{}:{}:{}: {}", file, source.begin.line, source.begin.column,
-                           named(path));
+                           named(path, false));
     }
     void note(const toml::source_region& source, const std::string& path,
               const std::string& problem, const std::string& hint = "") {

@@ -14,7 +14,7 @@ namespace diurna {
 
 namespace {
 
-/// The names of two or more tables, if each has one and no other has it; else empty.
+/// The names of tables, if each has one and no other has it; else empty.
 std::vector<std::string> names_of(const toml::array& tables) {
     std::vector<std::string> names;
     for (const toml::node& one : tables) {
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const toml::array& tables) {
     std::sort(sorted.begin(), sorted.end());
     const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
     const bool all = !sorted.empty() && !sorted.front().empty();
-    return names.size() > 1 && all && !twice ? names : std::vector<std::string>{};
+    return all && !twice ? names : std::vector<std::string>{};
 }
 
 /// A name as part of a path, in the form that --set reads.
@@ -344,8 +344,9 @@ std::vector<Section> Section::sections_of(const std::string& key,
     for (const toml::node& element : *array) {
         const std::string path = fmt::format("{}[{}]", joined_path(path_, key), found.size());
         if (!names.empty()) {
-            const std::string all = joined_path(state_->named(path_), key);
-            state_->by_name[path] = joined_path(all, quoted_if_needed(names[found.size()]));
+            const std::string all = joined_path(state_->named(path_, true), key);
+            state_->by_name[path] = {joined_path(all, quoted_if_needed(names[found.size()])),
+                                     names.size() > 1};
         }
         found.push_back(Section(state_, element.as_table(), path, pattern));
     }

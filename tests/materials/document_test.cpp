@@ -135,6 +135,11 @@ TEST_CASE("mistakes name one of several tables by its name, as settings do",
           std::string::npos);
     CHECK(reported(east + west + "\"east\"\nwidth = \"x\"\n").find(": eye[1].width: ") !=
           std::string::npos);
+    // A setting by its name, though the table is alone.
+    Document alone = Document::from_text("[[eye]]\nname = \"east\"\n", "hill.toml");
+    alone.set("eye.east.width=wide");
+    alone.root().sections("eye", "an eye").front().number("width", "of it");
+    CHECK_THROWS_WITH(alone.finish(), Catch::Contains("--set eye.east.width: "));
     CHECK(reported("[[eye]]\nwidth = 1\n[[eye]]\nwidth = \"x\"\n").find(": eye[1].width: ") !=
           std::string::npos);
 }

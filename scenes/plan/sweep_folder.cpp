@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 namespace diurna {
 
@@ -28,13 +28,14 @@ fs::path trimmed(const fs::path& folder) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// The heat balance of a variant by its record; "" where it has none.
+/// The heat balance of a variant by its record (scenes/sweep/records.hpp); "" where it has none.
 std::string heat_of(const fs::path& variant) {
     std::ifstream file(variant / "variant.json");
-    const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-    return json.is_object() && json.contains("heat") && json["heat"].is_string()
-               ? json["heat"].get<std::string>()
-               : "";
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::size_t key = text.find("\"heat\"");
+    const std::size_t begin = key == text.npos ? key : text.find('"', key + 6);
+    const std::size_t end = begin == text.npos ? begin : text.find('"', begin + 1);
+    return end == text.npos ? "" : text.substr(begin + 1, end - begin - 1);
 }
 
 }  // namespace

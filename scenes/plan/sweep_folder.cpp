@@ -29,7 +29,7 @@ fs::path trimmed(const fs::path& folder) {
 }
 
 /// The heat balance of a variant by its record (scenes/sweep/records.hpp); "" where it has none.
-std::string heat_of(const fs::path& variant) {
+std::string recorded_heat(const fs::path& variant) {
     std::ifstream file(variant / "variant.json");
     const std::string text(std::istreambuf_iterator<char>(file), {});
     const std::size_t key = text.find("\"heat\"");
@@ -50,7 +50,7 @@ std::string variant_hint(const fs::path& folder) {
 std::string heat_hint(const fs::path& folder) {
     std::error_code none;
     const bool variant = fs::is_regular_file(folder / "variant.json", none);
-    const fs::path heat = variant ? sweep_around(folder) / "heat" / heat_of(folder)
+    const fs::path heat = variant ? sweep_around(folder) / "heat" / recorded_heat(folder)
                                   : first_with(folder, "heat", "temperatures.nc");
     if (heat.empty()) return "";
     return variant ? fmt::format("it is a variant of a sweep, whose temperatures are in {}",

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that diurna is built from; with --tests also the programs that some tests drive, which they
-# pass over where there are none; with --fuzz also clang, for .ci/fuzz; with --python what its Python module is built from;
-# with --packages what packaging/smoke.sh makes and tries Debian packages by; with --slurm the cluster of tests/slurm;
-# with --docs what docs/build.sh and docs/test.sh need.
+# skip where they are missing; with --fuzz also clang, for .ci/fuzz; with --python what its Python module is built from and
+# tested with; with --packages what packaging/smoke.sh makes and tries Debian packages by; with --slurm the cluster of
+# tests/slurm; with --docs what docs/build.sh and docs/test.sh need.
 # Without root it names what is missing and stops.
 set -euo pipefail
 
@@ -19,7 +19,8 @@ packages=(
     catch2 libsundials-dev libbenchmark-dev
 )
 [ "${1:-}" != --tests ] || packages+=(chromium ffmpeg python3)
-[ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev python3-numpy python3-pandas python3-netcdf4 python3-openimageio)
+[ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev python3-numpy python3-pandas python3-netcdf4 python3-openimageio
+    python3-xarray mypy)
 [ "${1:-}" != --packages ] || packages+=(debootstrap dpkg-dev file)
 [ "${1:-}" != --slurm ] || packages+=(slurm-wlm munge)
 [ "${1:-}" != --docs ] || packages+=(mkdocs python3 ffmpeg)

@@ -18,8 +18,9 @@ enum class ObjectId : std::uint16_t {};  // 0 is the ground
 constexpr std::size_t index(FacetId id) { return static_cast<std::size_t>(id); }
 constexpr std::size_t index(MaterialId id) { return static_cast<std::size_t>(id); }
 
-/// Every triangle of the scene, one array per property, all of length size(). Positions are east,
-/// north, up [m] in the frame of the Site. This is what visibility, heat and pictures index.
+/// Every triangle of the scene, one array per property, all of length size(). Positions
+/// are east, north, up [m] in the Site's frame. Used by visibility, heat balance and
+/// pictures.
 struct FacetSet {
     std::vector<Eigen::Vector3f> vertex;               // shared by neighbouring facets
     std::vector<std::array<std::uint32_t, 3>> corner;  // (facet) counterclockwise from outside
@@ -33,16 +34,16 @@ struct FacetSet {
 };
 
 /// Appends triangles as facets of one object. Facets follow a space-filling curve (Morton order of
-/// the centroids in plan), so that neighbours lie together in memory. Triangles without area are
-/// skipped, and so are slivers thinner than a float can tell at their place (1 mm at 10 km): their
-/// normals would be noise. Throws InputError if a vertex is not finite or further than 100 km from
-/// the origin.
+/// the centroids in plan), so that neighbours are close in memory. Triangles without area are
+/// skipped, and so are slivers thinner than a float resolves at their position (1 mm at 10 km):
+/// their normals would be noise. Throws InputError if a vertex is not finite or farther than 100 km
+/// from the origin.
 void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
                    std::span<const std::array<std::uint32_t, 3>> triangle,
                    std::span<const MaterialId> material, ObjectId object);
 void append_facets(FacetSet& facets, const ObjectMesh& mesh, ObjectId object);
-/// The same of many objects' triangles, those of the lowest first: as one call for each, in a time
-/// that does not go with the number of objects.
+/// The same for many objects' triangles, in ascending order of object: same result as one call per
+/// object, in a time that does not depend on the number of objects.
 ///
 /// - object: (triangle)
 void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,

@@ -9,8 +9,8 @@
 
 namespace diurna {
 
-/// What lies on the facets whose water is followed, at every instant of a field. Facets that are
-/// not named are dry.
+/// Water and snow on the facets with a water balance, at every instant of a field. Facets that are
+/// not listed are dry.
 struct CoveredFacets {
     std::vector<std::uint32_t> facet;  // ascending
     std::vector<SurfaceCover> cover;   // (instant, place in `facet`)
@@ -19,19 +19,19 @@ struct CoveredFacets {
     std::span<const SurfaceCover> at(std::size_t instant) const {
         return {cover.data() + instant * facet.size(), facet.size()};
     }
-    /// Two instants' rows, straight in between: (place).
+    /// Interpolates linearly between two instants' rows: (place).
     std::vector<SurfaceCover> between(std::size_t a, std::size_t b, double share) const;
-    /// Without the facets that are dry and bare throughout.
+    /// Without the facets that are dry and bare at all instants.
     CoveredFacets kept() const;
 };
 
-/// Straight between two covers; the snow of one that has none is as white as the other's.
+/// Linear between two covers; if only one has snow, its albedo is used.
 SurfaceCover between(const SurfaceCover& a, const SurfaceCover& b, double share);
 
-/// Adds a row to `all`, which has `instants` of them; either may name facets that the other does
-/// not: they are dry there.
+/// Appends a row to `all`, which has `instants` rows; facets that only one of them lists are dry in
+/// the other.
 ///
-/// - facet: ascending; cover: likewise
+/// - facet, cover: ascending by facet
 void add_row(std::span<const std::uint32_t> facet, std::span<const SurfaceCover> cover,
              std::size_t instants, CoveredFacets& all);
 

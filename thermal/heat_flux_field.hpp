@@ -8,27 +8,27 @@
 
 namespace diurna {
 
-/// The terms of a facet's heat balance [W m⁻²], each positive the way its name says.
+/// The terms of a facet's heat balance [W m⁻²], each positive in the direction of its name.
 enum class HeatTerm : std::size_t {
     absorbed_sunlight,
-    absorbed_longwave,  // of sky and other facets
+    absorbed_longwave,  // from sky and other facets
     internal,           // released at the surface
     emitted_longwave,
     sensible,   // to the air
-    latent,     // carried away by vapour
-    melting,    // taken by frost that melts on the surface; negative: given by water that freezes
-    conducted,  // into what lies below, what its surface stores included: from the conduction's own
-                // solution, not what the other terms leave over
+    latent,     // with vapour
+    melting,    // by melting frost on the surface; negative: from freezing water
+    conducted,  // into the column, with its surface's storage: from the conduction
+                // solution, not as the remainder of the other terms
 };
 inline constexpr std::size_t heat_terms = 8;
-/// The first of them, which bring heat; the others take it.
+/// The first ones are gains of heat; the others are losses.
 inline constexpr std::size_t heat_sources = 3;
 
 /// (term) [W m⁻²]
 using HeatTerms = std::array<float, heat_terms>;
 
-/// The heat balance of every facet at every kept instant. What the sources bring the others take
-/// away, to the rounding of floats and the solver's tolerance.
+/// The heat balance of every facet at every stored instant. Gains equal losses to float rounding
+/// and the solver's tolerance.
 struct HeatFluxField {
     std::vector<Instant> instant;  // ascending
     std::size_t facets = 0;
@@ -38,7 +38,7 @@ struct HeatFluxField {
         return watts[static_cast<std::size_t>(term)];
     }
     bool empty() const { return instant.empty(); }
-    /// Adds an instant between two of another field's, straight between them.
+    /// Adds an instant between two of another field's, by linear interpolation.
     void add_between(const HeatFluxField& other, Instant when);
 };
 

@@ -22,7 +22,7 @@
 
 namespace diurna {
 
-/// An open netCDF file; one that is written is there once it is finished, whole.
+/// An open netCDF file; a file being written gets its name when it is complete.
 class NetcdfFile {
  public:
     NetcdfFile(std::filesystem::path path, int id) : path_(std::move(path)), id_(id) {}
@@ -31,8 +31,9 @@ class NetcdfFile {
     ~NetcdfFile() {
         if (id_ >= 0) nc_close(id_);
     }
-    /// Made in memory, for the library ends the program where a disk is full; begun with an empty
-    /// file, for one by nc_create_mem keeps no order and cannot be opened again to be changed.
+    /// Created in memory, as the library ends the program when a disk is full; begun with
+    /// an empty file, as nc_create_mem tracks no order and cannot open it again for
+    /// changes.
     static NetcdfFile create(const std::filesystem::path& target) {
         check_output_file(target);
         remove_left_over(target);
@@ -50,7 +51,8 @@ class NetcdfFile {
     NetcdfFile(NetcdfFile&& other) noexcept
         : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
 
-    /// What runs that were killed have left of the same file: those of processes that live no more.
+    /// Removes unfinished copies of the file by killed runs (processes that have
+    /// ended).
     static void remove_left_over(const std::filesystem::path& target) {
         const std::string begin = fmt::format(".{}.", target.filename().string());
         const auto folder = target.has_parent_path() ? target.parent_path() : ".";

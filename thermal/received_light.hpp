@@ -13,24 +13,24 @@
 
 namespace diurna {
 
-/// What leaves every facet at an instant, diffusely (radiosity) [W m⁻²].
+/// Radiosity of every facet at an instant, diffuse [W m⁻²].
 struct LeavingLight {
     std::vector<float> sunlight;  // (facet) reflected
     std::vector<float> longwave;  // (facet) emitted and reflected
 };
 
-/// From a solved heat balance: emitted ε σ T⁴, and of what arrives the part that is not absorbed.
-/// Arriving sunlight is what is absorbed over 1 − albedo − transmittance, with the albedo under
-/// snow and water as the balance had it. Of see-through facets it is per area that stops light.
-/// A facet that lets all heat through, or absorbs no sunlight at all, leaves none of it.
+/// From a solved heat balance: emission ε σ T⁴ plus the part of the incident light that is not
+/// absorbed. Incident sunlight is absorbed sunlight over 1 − albedo − transmittance, with the
+/// albedo under snow and water as in the balance. Of see-through facets it is per area that stops
+/// light. A facet that is transparent to all longwave, or absorbs no sunlight at all, has none.
 ///
 /// - at: index of the instant in both fields, which have the same instants
-/// - measured_albedo: (material) in place of its own at that instant; NaN or empty: its own
+/// - measured_albedo: (material) replaces its own at that instant; NaN or empty: its own
 LeavingLight leaving_light(const FacetSet& facets, const MaterialLibrary& materials,
                            const TemperatureField& field, const HeatFluxField& heat, std::size_t at,
                            std::span<const double> measured_albedo = {});
 
-/// What falls on a receiver [W m⁻²].
+/// Irradiance of a receiver [W m⁻²].
 struct ReceivedLight {
     double sun = 0.0;        // beam, and the light around the sun that shares its shadow
     double sky = 0.0;        // the rest of the sky's sunlight
@@ -42,15 +42,15 @@ struct ReceivedLight {
     double longwave() const { return sky_longwave + facet_longwave; }
 };
 
-/// What a receiver sees, of heat and of sunlight (two where panes tell them apart), and what the
-/// ground beyond the scene's edge is like: the mean of these facets.
+/// View of a receiver, thermal and solar (two if panes distinguish them), and the ground beyond the
+/// scene's edge: the mean of these facets.
 struct ReceiverView {
     const FacetViews& heat;
     const FacetViews& sunlight;
     std::span<const float> beyond;  // (facet) weights that add up to one; empty: black and cold
 };
 
-/// The light of the heat balance on receiver r: the same sky, shares of it and facets.
+/// Irradiance of receiver r from the same sky, sky shares and facets as in the heat balance.
 ///
 /// - seen: normal · to_sun, not below 0, times the share of the sun's disc in view
 ReceivedLight received_light(const ReceiverView& view, std::size_t r, double seen,

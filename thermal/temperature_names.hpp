@@ -11,7 +11,7 @@
 /// Names in files of temperatures that their writer and their reader share.
 namespace diurna {
 
-/// What is written of a SurfaceCover.
+/// Names of a SurfaceCover in the file.
 struct CoverName {
     const char *name, *standard_name, *long_name;
     float SurfaceCover::*value;
@@ -25,8 +25,8 @@ inline constexpr std::array<CoverName, 3> cover_names{{
      &SurfaceCover::snow_albedo},
 }};
 
-/// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
-/// the facet.
+/// Names of a term in the file. CF names fluxes away from the ground "upward"; here that is away
+/// from the facet.
 struct TermName {
     const char *name, *standard_name, *long_name;
 };
@@ -49,7 +49,7 @@ inline constexpr const char* temperatures_title = "diurna facet temperatures";
 inline constexpr const char* solved_as_name = "solved_as";
 inline constexpr const char* made_of_name = "made_of";  // global attribute, FieldNotes::made_of
 
-/// HDF5 keeps no larger attribute in its usual place: longer lists of names are a variable
+/// HDF5 stores no larger attribute in the normal way: longer lists of names become a variable
 /// NAME_name instead.
 inline constexpr std::size_t most_attribute_bytes = 60000;
 

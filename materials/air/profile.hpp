@@ -29,8 +29,8 @@ struct Profile {
     std::vector<double> pressure_hPa;
     std::vector<double> temperature;                              // [K]
     std::array<std::vector<double>, gas_count> mixing_ratio_ppm;  // by volume
-    bool winter = false;  // its haze above the boundary layer is that of autumn and winter
-    std::vector<std::string> notes{};  // what was repaired in the file it comes from
+    bool winter = false;  // its haze above the boundary layer is the autumn-winter table's
+    std::vector<std::string> notes{};  // repairs made to the file that was read
 };
 
 /// The six AFGL models by name: TROP MLS MLW SAS SAW US76 (AFGL-TR-86-0110). Throws InputError with
@@ -38,13 +38,13 @@ struct Profile {
 Profile afgl_profile(const std::string& name);
 std::vector<std::string> afgl_profile_names();
 
-/// The profile with the air at `ground_km` made to have the given temperature [K] and vapour
-/// pressure [hPa]; the change fades linearly to nothing `depth_km` higher, so that a day's weather
-/// reaches the boundary layer and leaves the free troposphere alone.
+/// The profile, changed so that the air at `ground_km` has the given temperature [K] and vapour
+/// pressure [hPa]; the change fades linearly to zero `depth_km` higher, so that a day's weather
+/// changes the boundary layer but not the free troposphere.
 Profile with_surface(Profile profile, double ground_km, double temperature,
                      double vapour_pressure_hPa, double depth_km = 1.5);
 
-/// The state of the air at a height [km]; below the first and above the last level their values.
+/// The state of the air at a height [km]; outside the levels that of the nearest level.
 struct AirSample {
     double pressure_hPa;
     double temperature;                              // [K]
@@ -55,18 +55,18 @@ struct AirSample {
     }
 };
 AirSample air_at(const Profile& profile, double height_km);
-/// The first two of them alone: a quarter of the work.
+/// Pressure and temperature only: a quarter of the work.
 std::pair<double, double> pressure_and_temperature_at(const Profile& profile, double height_km);
 
-/// One of its levels; and a level added on top.
+/// The state at one of the profile's levels; the next function adds a level on top.
 AirSample sample_of(const Profile& profile, std::size_t level);
 void append_level(Profile& profile, double height_km, const AirSample& air);
-/// A level more, with the air that is there: where a change begins or ends. None above the top, or
-/// where there is one within a millimetre.
+/// Adds a level with the air already at that height, where a change begins or ends. Adds none above
+/// the top, or within a millimetre of an existing level.
 void add_level(Profile& profile, double height_km);
 
-/// How air at one height differs from other air there. Another level may be changed by a share of
-/// it: temperature by the difference, pressure and water by the ratio.
+/// Difference between two states of the air at one height. A share of it can be applied to another
+/// level: temperature by the difference, pressure and water by the ratio.
 struct AirChange {
     double warmer = 0.0;                       // [K]
     double ln_pressure = 0.0, ln_water = 0.0;  // logarithms of ratios

@@ -8,26 +8,26 @@
 
 namespace diurna {
 
-/// A profile from a radiosonde's table: levels from the ground up. The University of Wyoming's text
-/// list or CSV, a sounding of the Integrated Global Radiosonde Archive (materials/air/
-/// sounding_table.hpp), or plain CSV with a header and '#' comments:
+/// A profile from a radiosonde's table: levels from the ground up. Formats: the University of
+/// Wyoming's text list or CSV, a sounding of the Integrated Global Radiosonde Archive (see
+/// materials/air/sounding_table.hpp), or plain CSV with a header and '#' comments:
 ///
 /// height_m or height_km              above the sea; ascending, or descending
-/// pressure_hPa                       optional: else hydrostatic from the lowest level's, which
-///                                    must then be given in its row (others may be empty)
+/// pressure_hPa                       optional: without it hydrostatic from the lowest level, whose
+///                                    row must have a pressure (others may be empty)
 /// temperature_C or temperature_K
 /// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg; empty: as in `above` there
 ///
 /// Levels at which the pressure rises or the height falls for a moment are skipped and noted
-/// (sounding_levels.hpp). Gases besides water, and everything above the last level, are those of
-/// the AFGL profile `above`, or where that is "" of the season by the measured air 3 km above the
-/// lowest level (seasonal_profile.hpp); temperature and pressure join it over 5 km. Two levels or
-/// more, up to 5000. Throws InputError with file:line:column for what cannot be.
+/// (sounding_levels.hpp). Gases other than water, and everything above the last level, come from
+/// the AFGL profile `above`; if it is "", from the seasonal profile for the air measured 3 km above
+/// the lowest level (seasonal_profile.hpp). Temperature and pressure join it over 5 km. 2 to 5000
+/// levels. Throws InputError with file:line:column for invalid values.
 struct Sounding {
     Profile profile;
-    std::size_t levels = 0;  // of the profile, those that were measured
+    std::size_t levels = 0;  // number of the profile's levels that were measured
 };
-/// time  of the sounding in a file of several (materials/air/igra.hpp); "": it holds one
+/// time  of the sounding, in a file of several (materials/air/igra.hpp); "": a file of one
 Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "",
                        const std::string& time = "");
 /// Its profile.

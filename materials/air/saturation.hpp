@@ -5,9 +5,9 @@
 
 #include "materials/base/fast_exp.hpp"
 
-/// Vapour pressure at saturation after Murray (1967, J. Appl. Meteor. 6, 203):
-/// e = 610.78 Pa exp(a (T − 273.16 K) / (T − b)); over water within 0.3 % of the steam tables from
-/// 260 to 320 K (tests/materials/moist_air_test.cpp). In parts, for loops over lanes too.
+/// Saturation vapour pressure after Murray (1967, J. Appl. Meteor. 6, 203): e = 610.78 Pa exp(a (T
+/// − 273.16 K) / (T − b)); over water within 0.3 % of the steam tables from 260 to 320 K
+/// (tests/materials/moist_air_test.cpp). Split into parts so that loops can be vectorised.
 namespace diurna {
 
 struct MurrayLaw {
@@ -26,12 +26,12 @@ inline double saturation_slope(MurrayLaw law, double pressure, double inverse) {
     return pressure * (law.a * (triple_point - law.b)) * inverse * inverse;
 }
 
-/// Where vapour pressure over water goes on as at its end: straight above, flat below [K].
+/// Limits of Murray's formula over water [K]: linear above, constant below.
 inline constexpr double coldest_vapour = 100.0, hottest_vapour = 450.0;
 
 /// Saturation vapour pressure over water [Pa] and, through `slope`, its derivative [Pa K⁻¹], for
-/// scalar code and loops over lanes: no call, no branch. Above 450 K it goes on in a straight line,
-/// so that a surface hotter than boiling stays finite.
+/// scalar code and vectorised loops: no call, no branch. Above 450 K it continues as a straight
+/// line, so that a surface hotter than boiling stays finite.
 inline double saturation_over_water(double temperature, double& slope) {
     const double t = std::clamp(temperature, coldest_vapour, hottest_vapour);
     const double inverse = 1.0 / (t - over_water.b);
@@ -41,7 +41,7 @@ inline double saturation_over_water(double temperature, double& slope) {
     return pressure + slope * std::max(0.0, temperature - hottest_vapour);
 }
 
-/// Where vapour of a pressure [Pa] is saturated over water [K]; below 1 mPa as for 1 mPa.
+/// Dew point [K] over water of a vapour pressure [Pa]; below 1 mPa that of 1 mPa.
 inline double dew_point(double vapour_pressure) {
     const double l = std::log(std::max(vapour_pressure, 1e-3) / triple_point_pressure);
     return (over_water.a * triple_point - l * over_water.b) / (over_water.a - l);

@@ -4,11 +4,11 @@
 
 namespace diurna {
 
-/// The air above a place of which only the air at the ground is known: between those two of the
-/// AFGL models SAW, MLW, SAS, MLS and TROP whose temperatures at `height_km` (0 to 5; beyond, as at
-/// the ends) enclose `temperature` [K], the mean of a day or more; colder or warmer than all, the
-/// coldest or warmest. Temperatures are linear between the two, pressures and mixing ratios
-/// logarithmic, so that the profile follows the temperature without a step. `name` states both.
+/// The air above a place where only the air at the ground is known: between the two of the AFGL
+/// models SAW, MLW, SAS, MLS and TROP whose temperatures at `height_km` (clamped to 0 to 5) enclose
+/// `temperature` [K], the mean of a day or more; the coldest or warmest model outside them.
+/// Temperatures are interpolated linearly, pressures and mixing ratios logarithmically, so that the
+/// profile changes with the temperature without a step. `name` states both.
 ///
 /// Its clear-sky longwave at the ground, with the surface of the weather (with_surface), is 0.9 to
 /// 4.4 % above Dilley and O'Brien's formula at 258 to 298 K and a relative humidity of 60 %

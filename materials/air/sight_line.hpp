@@ -9,35 +9,35 @@ namespace diurna {
 
 inline constexpr double earth_radius_km = 6371.23;
 inline constexpr double atmosphere_top_km = 100.0;
-/// Boundary-layer aerosol begins to fade here; no segment lies across.
+/// Boundary-layer aerosol begins to fade here; no segment crosses this height.
 inline constexpr double aerosol_top_km = 2.0;
 
 /// A sight line over a spherical earth, sampled outward from the observer.
 struct SightLine {
     std::vector<double> height_km;     // (segment) of its middle, above the sea
     std::vector<double> length_km;     // (segment)
-    std::vector<double> edge_km = {};  // (segment + 1) heights of the ends; empty: unknown
+    std::vector<double> edge_km = {};  // (segment + 1) heights of the ends; empty: not known
 
     std::size_t size() const { return length_km.size(); }
     double range_km() const;
-    /// Height after the part `share` of a segment: the parabola through its ends and middle, or
-    /// linear between middles where ends are unknown.
+    /// Height at the fraction `share` of a segment: from the parabola through its ends and middle,
+    /// or linear between the middles if the ends are not known.
     double height_within(std::size_t segment, double share) const;
-    /// The segments before `end` alone.
+    /// Only the segments before `end`.
     SightLine first(std::size_t end) const;
 };
 
-/// How finely a sight line is cut. A segment's change of height is at most `growth` times all the
-/// ups and downs before it, but no less than `first_km` and no more than
-/// `ceiling_km` (1 + (height / thinning_km)²): short where opaque air hides all that is behind
-/// it, long where the air is thin, and one segment for a level line.
+/// How finely a sight line is cut. A segment's change of height is at most `growth` times the sum
+/// of the height changes before it, but at least `first_km` and at most `ceiling_km` (1 + (height /
+/// thinning_km)²): short where opaque air hides all that is behind it, long where the air is thin,
+/// and one segment for a level line.
 struct Segmentation {
     double first_km = 0.015;
     double growth = 0.35;
     double ceiling_km = 0.25;
     double thinning_km = 8.0;
 };
-/// Half as many for transmittance alone, to 0.05 %.
+/// Half as many segments, for transmittance only, to 0.05 %.
 inline constexpr Segmentation beam_segmentation{
     .first_km = 0.03, .growth = 0.5, .ceiling_km = 0.5, .thinning_km = 6.0};
 
@@ -54,17 +54,17 @@ SightLine sight_line(double height_km, double zenith_deg,
                      double range_km = std::numeric_limits<double>::infinity(),
                      const Segmentation& segmentation = {});
 
-/// A line from a height to another over a range, in segments that grow from the observer: heights
-/// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
-/// sight_line() in terms of an angle is not.
+/// A line from one height to another over a range, in segments that grow from the observer: heights
+/// on the straight chord over a spherical earth. Defined and smooth for any two heights, unlike
+/// sight_line(), which needs an angle.
 ///
-/// segments  0: as chord_segments() says, converged to 2 mK in every band
+/// segments  0: the number of chord_segments(), converged to 2 mK in every band
 ///           (tests/render/radiance_test.cpp)
 SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
 int chord_segments(double height_change_km);
 
-/// One path made of two, `far` beginning where `near` ends: light that comes down one and goes on
-/// along the other meets the air of both. Either may be empty; ends are known where both know them.
+/// Joins two paths into one, `far` beginning where `near` ends: light that follows both meets the
+/// air of both. Either may be empty; ends are known only if both paths have them.
 SightLine joined(const SightLine& near, const SightLine& far);
 
 /// Whether a line of infinite range ends on the ground.
@@ -75,8 +75,8 @@ bool meets_ground(double height_km, double zenith_deg);
 double refractivity(const Profile& profile, double height_km);
 
 /// The same lines bent by the profile's refraction: n r sin(zenith) is the same at all ends of
-/// segments (Bouguer). Zenith angles are those seen at the start. Light from beyond the air is bent
-/// as Bennett (1982) says to 2 %, 3 % at the horizon (tests/materials/sight_line_test.cpp).
+/// segments (Bouguer). Zenith angles are those seen at the start. Light from outside the air is
+/// bent as in Bennett (1982) to 2 %, 3 % at the horizon (tests/materials/sight_line_test.cpp).
 SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
                          double range_km = std::numeric_limits<double>::infinity(),
                          const Segmentation& segmentation = {});

@@ -8,17 +8,17 @@
 
 namespace diurna {
 
-/// Leaves out levels of a sounding at which the balloon went down for a moment, or the sensor read
-/// a little too much, and levels that are plainly wrong: as few as make heights rise and pressures
-/// fall from level to level, so that one bad level costs no good one. They are left in, for the
-/// reader to refuse, where they are more than `most` of the levels (and more than three), or where
-/// a level has no pressure of its own.
+/// Removes levels of a sounding at which the balloon sank for a moment or the sensor read slightly
+/// high, and levels that are plainly wrong: the fewest levels whose removal makes heights rise and
+/// pressures fall from level to level, so that one bad level costs no good one. Nothing is removed,
+/// and the reader refuses the sounding, if more than `most` of the levels (and more than three)
+/// would have to go, or if a level has no pressure.
 ///
 /// table     rows from the ground up
 /// height    column of heights
 /// pressure  column of pressures
 /// most      share of the levels that may be skipped
-/// returns   a note of what was skipped; "" for nothing
+/// returns   a note of what was skipped; "" if nothing was
 std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t pressure,
                               double most = 0.1);
 

@@ -10,8 +10,8 @@ namespace diurna {
 /// A radiosonde's levels, as a table.
 struct SoundingTable {
     CsvTable table;
-    bool archive = false;              // from a university or a weather service, not one's own CSV
-    std::vector<std::string> notes{};  // what a reader of the report should know
+    bool archive = false;              // from a university or a weather service, not plain CSV
+    std::vector<std::string> notes{};  // repairs and conversions, for the report
 };
 
 }  // namespace diurna

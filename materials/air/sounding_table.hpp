@@ -7,21 +7,21 @@
 
 namespace diurna {
 
-/// The table of a radiosonde's levels, whatever its format (materials/air/radiosonde.hpp), with the
-/// names that plain CSV has for its columns; rows stand as in the file.
+/// The table of a radiosonde's levels in any of the formats (materials/air/radiosonde.hpp), with
+/// the column names of the plain CSV; rows in the file's order.
 ///
-/// - CSV of ours: as it is
+/// - plain CSV: unchanged
 /// - the University of Wyoming's CSV (pressure_hPa, geopotential height_m, temperature_C, dew point
 ///   temperature_C, ...)
 /// - its text list (columns PRES HGHT TEMP DWPT ... of seven characters below two lines of dashes),
-///   bare or in the page it came in; one sounding to a file
+///   as text or within its web page; one sounding per file
 /// - the Integrated Global Radiosonde Archive, version 2 (materials/air/igra.hpp)
 ///
-/// Of the university's formats, levels without height, pressure or temperature (those below the
-/// ground) and levels less than 5 m or 0.05 hPa from the one before are skipped. Levels out of
-/// order stay, for sounding_levels.hpp to leave out and to note.
+/// In the university's formats, levels without height, pressure or temperature (those below the
+/// ground) and levels less than 5 m or 0.05 hPa from the previous one are skipped. Levels out of
+/// order are not skipped here: sounding_levels.hpp removes and notes them.
 ///
-/// time  of the sounding, where the file is the archive's: "2018-07-15T00"; "": it holds one
+/// time  of the sounding in a file of the archive: "2018-07-15T00"; "": a single sounding
 SoundingTable read_sounding_table(const std::filesystem::path& file, const std::string& time = "");
 
 /// Whether a text has the list's line of columns.

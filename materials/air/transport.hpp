@@ -2,8 +2,8 @@
 
 namespace diurna {
 
-/// What carries momentum and heat in dry air, whatever its pressure (U.S. Standard Atmosphere 1976,
-/// equations 51 and 53): Sutherland's law and its like.
+/// Viscosity and thermal conductivity of dry air, independent of pressure (U.S. Standard Atmosphere
+/// 1976, equations 51 and 53): Sutherland's law and its counterpart for heat.
 ///
 /// temperature  [K] 100 to 3000
 double air_viscosity(double temperature);     // dynamic [kg m⁻¹ s⁻¹]; 1.716e-5 at 273.15 K

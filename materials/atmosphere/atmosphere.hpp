@@ -13,7 +13,7 @@
 
 namespace diurna {
 
-/// Nothing between surface and eye; the background has `space_temperature`.
+/// No air between surface and observer; the background has `space_temperature`.
 struct Vacuum {
     double space_temperature = 2.725;  // [K]
 };
@@ -26,8 +26,8 @@ double air_temperature_at(const Atmosphere& atmosphere, double height_km);
 /// Transmittance and thermal radiance of a path at given wavelengths.
 ///
 /// Transmittance is constant within a bin of the band model; Planck's law is evaluated at the
-/// wavelength itself, within a segment linear in optical depth between its ends' temperatures (of
-/// its middle's, for a line that does not know its ends). So a Band whose breakpoints include
+/// wavelength itself. Within a segment it is linear in optical depth between the temperatures of
+/// the ends (of the middles, for a line without known ends). So a Band whose breakpoints include
 /// bin_edges_um() integrates both to its quadrature's accuracy, and air at one temperature in front
 /// of a black body of that temperature is that black body: radiance + transmittance · B(T) = B(T)
 /// at every wavelength.
@@ -40,22 +40,22 @@ PathSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
 /// the profile's lowest level. No scattered sunlight. In a vacuum: Planck's law at
 /// `space_temperature` in every direction.
 ///
-/// onward  leads from an eye to that height: what of the sky arrives at the eye then, the light of
-///         the way itself skipped. The band model takes both for one path, a table multiplies.
+/// onward  path from an observer to that height: returns what of the sky's light arrives there,
+///         without that path's light. The band model treats both as one path, a table multiplies.
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um, const SightLine& onward = {});
 
-/// The same averaged over the hemisphere above by the cosine of the zenith angle: what a level
-/// surface receives, over π. ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by Gauss and Legendre's rule with so
-/// many zenith angles.
+/// The same averaged over the upper hemisphere, weighted by the cosine of the zenith angle: the
+/// irradiance of a level surface divided by π. ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by Gauss-Legendre
+/// quadrature with the given number of zenith angles.
 std::vector<double> mean_sky_at_nodes(const Atmosphere& atmosphere, double height_km,
                                       std::span<const double> node_um, int zenith_angles,
                                       const SightLine& onward = {});
 
 /// Direct solar irradiance on a plane facing the sun at `height_km`, (node) [W m⁻² µm⁻¹], for the
 /// sun at `zenith_deg` (zero where the earth is in between) and `distance_au`. Constant per bin.
-/// Direct beam only: what the air scatters out of it is lost. Clouds take their share of it.
-/// With `onward`, as for the sky, that share of it which would arrive at the eye.
+/// Direct beam only: light scattered out of it is lost. Clouds reduce it. With `onward`: the part
+/// of it that would arrive at the observer, as for the sky.
 std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,
                                    double zenith_deg, double distance_au,
                                    std::span<const double> node_um, const SightLine& onward = {});

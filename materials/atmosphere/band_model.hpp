@@ -12,11 +12,11 @@ namespace diurna {
 /// Carbon dioxide of the years 2024-26 (NOAA's global mean, rounded).
 inline constexpr double todays_co2_ppm = 425.0;
 
-/// One level layer of cloud over part of the sky: where it is, from whatever side it is seen. From
-/// below it is black or grey at the temperature of its base and dims the sun by its optical depth;
-/// from above it is as warm as its top and sends sunlight back; between an eye and the ground its
-/// covered part hides the ground. Its covered and open parts stand side by side (independent
-/// columns), the same under every angle. An eye within it sees it between itself and all beyond.
+/// One level layer of cloud over part of the sky. From below it is black or grey at the temperature
+/// of its base and dims the sun by its optical depth; from above it has the temperature of its top
+/// and reflects sunlight; between an observer and the ground its covered part hides the ground.
+/// Covered and open parts are independent columns, in the same proportion at every angle. An
+/// observer within the layer sees everything else through it.
 struct CloudLayer {
     double fraction = 0.0;        // of the sky, 0 to 1
     double base_km = 2.0;         // above the sea
@@ -24,21 +24,21 @@ struct CloudLayer {
     double temperature = 0.0;     // [K] of base and top; 0: that of the air there
     double optical_depth = 20.0;  // at all wavelengths of sunlight, 0 to 1000
     double emissivity = 1.0;      // in the thermal bands
-    /// Part of the sky whose sunlight it takes; below 0: `fraction`. Broken cloud shines from its
-    /// sides and looks wider than it shades (cloud_modification.hpp).
+    /// Part of the sky whose sunlight it takes; below 0: `fraction`. The sides of broken cloud are
+    /// seen too, so it covers more sky than it shades (cloud_modification.hpp).
     double sunlit_fraction = -1.0;
 
     double top_km() const { return base_km + depth_km; }
     double over_sun() const { return sunlit_fraction < 0.0 ? fraction : sunlit_fraction; }
 };
 
-/// What measured light is over the model's: factors that make its broadband sums those that were
-/// measured (light_of_instant.hpp). All 1: the model's own.
+/// Ratios of measured to modelled light: factors that make the model's broadband sums equal to the
+/// measured ones (light_of_instant.hpp). All 1: the unscaled model.
 struct LightScale {
-    double beam = 1.0;        // of the sun; under a cloud, where there is one
-    double diffuse = 1.0;     // of scattered sunlight, likewise
-    double sky_column = 1.0;  // of what emits between the ground and space, as if so many times
-    double sky_heat = 1.0;    // of the sky's thermal radiance, grey: what a column cannot give
+    double beam = 1.0;        // of the sun; below the cloud, if there is one
+    double diffuse = 1.0;     // of scattered sunlight, below the cloud too
+    double sky_column = 1.0;  // factor on the emitting column between the ground and space
+    double sky_heat = 1.0;    // grey factor on the sky's thermal radiance: the rest
 };
 
 /// The embedded band model: seven gases, water and nitrogen continua, Rayleigh extinction, ozone's
@@ -47,20 +47,20 @@ struct LightScale {
 /// Per gas and bin τ = exp(−(C·W)^a), W = Σ u (P/P₀)ⁿ (T₀/T)ᵐ ds; continua are linear in their
 /// amounts. Aerosol follows Shettle and Fenn's extinction by local humidity; at 0.55 µm it is
 /// ln 50 / visibility − 0.01159 km⁻¹ at the ground and has LOWTRAN7's profile above it: the chosen
-/// type below 2 km, fading to tropospheric aerosol at 3 km, dry tropospheric aerosol standing in
-/// for the stratosphere's (optical depth below 0.01). Rain: 0.365 R^0.63 km⁻¹ at all wavelengths
+/// type below 2 km, fading to tropospheric aerosol at 3 km; dry tropospheric aerosol is used for
+/// the stratosphere too (optical depth below 0.01). Rain: 0.365 R^0.63 km⁻¹ at all wavelengths
 /// (LOWTRAN7), from the ground to `rain_top_km`. Below 5000 cm⁻¹ calibrated to MODTRAN 5, above to
 /// LOWTRAN7. Tables and their origin: data_folder()/atmosphere/SOURCE.md.
 ///
-/// Extinction is counted whole (scattered light leaves the beam and none comes back): transmittance
-/// and direct sun are right; light scattered from the sun is SunField's (sun_field.hpp).
+/// Extinction includes scattering (no scattered light returns to the beam): transmittance and
+/// direct sun are right; scattered sunlight is computed by SunField (sun_field.hpp).
 struct BandModel {
     Profile profile;
     std::string aerosol = "none";      // or one of aerosol_names()
     double visibility_km = 23.0;       // 0.05 to 300
     double co2_ppm = todays_co2_ppm;   // at the lowest level; the whole profile is scaled to it
     double space_temperature = 2.725;  // [K] behind the air
-    double ground_km = 0.0;            // where the haze begins; its lowest 6 km are squeezed upward
+    double ground_km = 0.0;            // where the haze begins; its lowest 6 km are compressed
     double rain_mm_h = 0.0;            // 0 to 300
     double rain_top_km = 3.0;          // above `ground_km`
     CloudLayer cloud = {};
@@ -68,8 +68,8 @@ struct BandModel {
     bool refraction = true;  // bends lines to the sky and the sun
 };
 
-/// none, rural, maritime, urban, tropospheric, desert, fog_advective, fog_radiative: what
-/// `BandModel::aerosol` may be.
+/// none, rural, maritime, urban, tropospheric, desert, fog_advective, fog_radiative: allowed values
+/// of `BandModel::aerosol`.
 std::vector<std::string> aerosol_names();
 
 /// Throws InputError if a value is out of range, the aerosol unknown or the profile unusable.

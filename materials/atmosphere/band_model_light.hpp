@@ -10,10 +10,10 @@
 
 namespace diurna {
 
-/// What atmosphere.hpp reports of any air, of the band model's: a path's transmittance and
-/// emission, the sky with its clouds, the direct sun; each at given wavelengths.
+/// The functions of atmosphere.hpp for the band model: a path's transmittance and emission, the sky
+/// with its clouds, the direct sun; each at given wavelengths.
 ///
-/// met  written: what the path has met in all, in the bins of the nodes; null: not asked for
+/// met  output: amounts along the whole path, in the bins of the nodes; null: not requested
 PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
                              std::span<const double> node_um, Amounts* met = nullptr);
 std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,

@@ -12,13 +12,13 @@ namespace diurna {
 
 /// The band model's tables as loaded. Bins ascend in wavelength.
 struct BandModelTables {
-    /// Absorption of one gas where one pair of exponents holds: one amount W serves all its bins.
+    /// Absorption of one gas with one pair of exponents: one amount W applies to all its bins.
     struct Group {
         Gas gas;
         double n, m;  // exponents of pressure and temperature
     };
     /// Neighbouring bins of a group: depth of bin `first + k` is exp(a[k] (ln C[k] + ln W)).
-    /// `run_padding` values that make a depth of nothing follow the last.
+    /// The last value is followed by `run_padding` values that give zero depth.
     struct Run {
         std::size_t group;
         std::size_t first, bins;
@@ -37,7 +37,7 @@ struct BandModelTables {
     std::vector<Run> runs;
     std::array<std::vector<double>, linear_count> linear;  // (term, bin)
 
-    /// An aerosol relative to its extinction at 0.55 µm. Logarithms are linear in that of the
+    /// An aerosol's extinction relative to 0.55 µm. Logarithms are linear in the logarithm of the
     /// dryness 100 − RH between the humidities of the table.
     struct Aerosol {
         struct Level {
@@ -46,11 +46,11 @@ struct BandModelTables {
         };
         std::vector<Level> levels;  // dryness descending
         /// Extinction (bin) at the Chebyshev nodes of each interval between levels, (interval,
-        /// node); of an aerosol of one level that one alone. Their polynomial is within 2e-7.
+        /// node); one entry for an aerosol with one level. The polynomial is within 2e-7.
         std::vector<std::vector<double>> node;
         std::vector<double> asymmetry;       // (bin) mean cosine of scattering
         std::vector<double> ln_phase;        // (phase wavelength, phase angle)
-        std::vector<double> ln_phase_slope;  // the same [1/deg]
+        std::vector<double> ln_phase_slope;  // its slope [1/deg]
     };
     std::map<std::string, Aerosol> aerosols;
     std::vector<double> phase_um, phase_deg;

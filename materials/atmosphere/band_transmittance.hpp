@@ -8,7 +8,7 @@
 
 namespace diurna {
 
-/// Transmittance to the end of a line alone, (bin): the fastest way to it.
+/// Transmittance to the end of a line only, (bin): the fastest function for it.
 std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
 
 }  // namespace diurna

@@ -12,10 +12,10 @@ std::span<const double> bin_edges_um();
 /// Middle of each bin [µm]: the wavelength of its middle wavenumber.
 std::span<const double> bin_middles_um();
 inline std::size_t bin_count() { return bin_middles_um().size(); }
-/// The bin that holds a wavelength; below and above the grid the first and the last.
+/// The bin that holds a wavelength; outside the grid the first or the last bin.
 std::size_t bin_of(double wavelength_um);
 
-/// Bins [first, last): work is proportional to their number.
+/// Bins [first, last): computing time is proportional to their number.
 struct BinRange {
     std::size_t first = 0;
     std::size_t last = 0;

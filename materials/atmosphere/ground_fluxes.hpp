@@ -6,22 +6,22 @@
 
 namespace diurna {
 
-/// What falls on open level ground [W m⁻²]: all the heat balance needs of the air, from the object
-/// the camera looks through.
+/// Irradiance of open level ground [W m⁻²]: all the heat balance needs of the air, from the same
+/// atmosphere that the camera's lines of sight use.
 struct GroundFluxes {
     double sun_direct = 0.0;   // on a plane facing the sun, 0.3 to 5 µm
     double sun_diffuse = 0.0;  // on the horizontal, from the sky
     double thermal = 0.0;      // on the horizontal, from air and clouds, 3.5 to 100 µm
 };
 
-/// Beyond 20 µm, where the model has no bins, the air has the transmittance of its last one (500 to
-/// 525 cm⁻¹), and beyond 28 µm it is black; below 0.351 µm it has that of its first. Thermal flux
+/// Beyond 20 µm, where the model has no bins, the air has the transmittance of the last bin (500 to
+/// 525 cm⁻¹), and beyond 28 µm it is black; below 0.351 µm it has that of the first. Thermal flux
 /// is within 6 % of Dilley and O'Brien's fit for clear skies, subarctic winter (-5.6 %) to tropics
 /// (tests/materials/ground_fluxes_test.cpp); two-stream diffuse sunlight within 15 % of the sum of
 /// SunField::sky over the hemisphere (sun_field_test.cpp). Vacuum: no diffuse light, thermal flux
 /// of space.
 GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
-/// Its parts: sunlight alone, and longwave.
+/// Sunlight only; and longwave only.
 GroundFluxes ground_sunlight(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
 /// - sunlight: of the nodes of sunlight_band()
 GroundFluxes ground_sunlight(const SunField& sunlight, double height_km);

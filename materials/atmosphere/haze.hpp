@@ -8,19 +8,19 @@
 
 namespace diurna {
 
-/// ln(100 − relative humidity [%]), the scale aerosol levels stand on; humidity by LOWTRAN's
-/// formula: absolute humidity over its saturation [g m⁻³].
+/// ln(100 − relative humidity [%]), the scale of the aerosol levels; humidity by LOWTRAN's formula:
+/// absolute humidity over its saturation [g m⁻³].
 double ln_dryness(const AirSample& air);
 
-/// The two levels of an aerosol around a dryness and the place between them.
+/// The two levels of an aerosol around a dryness, and the position between them.
 struct AerosolPlace {
     std::size_t low, high;
     double t;
 };
 AerosolPlace place_of(const BandModelTables::Aerosol& aerosol, double ln_dryness);
 
-/// How much aerosol and rain a model's air holds by height. Refers to the model: use it while the
-/// model lives.
+/// How much aerosol and rain a model's air holds by height. Refers to the model, which must outlive
+/// it.
 class Haze {
  public:
     explicit Haze(const BandModel& model);
@@ -28,11 +28,11 @@ class Haze {
     using Aerosol = BandModelTables::Aerosol;
     static constexpr std::size_t zones = BandModelTables::haze_zones;
 
-    /// The chosen type, of the boundary layer, and the troposphere's; null without aerosol.
+    /// The boundary layer's aerosol (the chosen type), and the troposphere's; null without aerosol.
     const Aerosol* boundary() const { return boundary_; }
     const Aerosol* tropospheric() const { return tropospheric_; }
     /// Extinction at 0.55 µm [km⁻¹]: of the boundary layer's aerosol, of the troposphere's at the
-    /// air's humidity, and above of the troposphere's, dry.
+    /// air's humidity, and of dry tropospheric aerosol above it.
     std::array<double, zones> extinction(double height_km) const;
 
     bool rains() const { return rain_ > 0.0; }

@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// Vertical optical depth of the model's aerosol at a wavelength, from its ground up: what its
-/// visibility means to a broadband formula. Rain and clouds do not count.
+/// Vertical optical depth of the model's aerosol at a wavelength, from its ground up, for broadband
+/// formulas that need a depth instead of a visibility. Without rain and clouds.
 ///
 /// wavelength_um  0.36 to 2
 ///

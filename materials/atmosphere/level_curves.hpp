@@ -14,7 +14,7 @@ struct LevelCurves {
     void assign(std::size_t levels, std::size_t columns) {
         value.assign(levels, std::vector<double>(columns, 0.0));
     }
-    /// To be called once the values stand.
+    /// To be called after the values are set.
     void find_slopes(std::span<const double> level_km);
     double at(const HermiteWeights& w, std::size_t column) const {
         return w.value_low * value[w.low][column] + w.slope_low * slope[w.low][column] +

@@ -12,12 +12,12 @@
 
 namespace diurna {
 
-/// What a line has met so far; optical depth follows from it alone. Amounts of two lines add.
+/// Amounts of absorbers along a line so far; they determine its optical depth. Amounts add.
 struct Amounts {
     std::vector<double> gas;  // (group) W
     std::array<double, BandModelTables::linear_count> linear{};
     std::vector<double> aerosol;  // (bin) optical depth of aerosol and rain; empty: none
-    /// Aerosol not yet in `aerosol`: depth at 0.55 µm times the weight of each node of humidity, of
+    /// Aerosol not yet in `aerosol`: depth at 0.55 µm times the weight of each humidity node, for
     /// the boundary layer's aerosol and the troposphere's.
     std::array<std::vector<double>, 2> haze;
     double rain = 0.0;  // depth not yet in `aerosol`
@@ -28,8 +28,8 @@ struct Amounts {
 /// x → e⁻ˣ.
 void negative_exponentials(std::span<double> values);
 
-/// The band model made ready for one model and a range of bins: what lines meet in its air, and how
-/// thick that is. Refers to the model: use it while the model lives.
+/// The band model prepared for one model and a range of bins: amounts along lines through its air,
+/// and their optical depth. Refers to the model, which must outlive it.
 class Medium {
  public:
     Medium(const BandModel& model, BinRange bins);
@@ -39,12 +39,12 @@ class Medium {
     const Haze& haze() const { return haze_; }
 
     Amounts none() const;
-    /// Adds a segment by the height of its middle. Its aerosol waits for spread().
+    /// Adds a segment by the height of its middle. Its aerosol is added later by spread().
     void add(double height_km, double length_km, Amounts& amounts) const;
-    /// Adds a segment of a line: where its ends are known and it climbs more than 20 m, by Gauss's
-    /// rule of two points, else by its middle. Its aerosol waits too.
+    /// Adds a segment of a line: by Gauss's two-point rule if its ends are known and it climbs more
+    /// than 20 m, else by its middle. Its aerosol is also added by spread().
     void add(const SightLine& line, std::size_t segment, Amounts& amounts) const;
-    /// Puts the aerosol that waits into every bin.
+    /// Adds the pending aerosol to every bin.
     void spread(Amounts& amounts) const;
     /// Adds a segment whose extinction of aerosol and rain [km⁻¹], (bin), is given.
     void add(double height_km, double length_km, std::span<const double> aerosol,
@@ -59,7 +59,7 @@ class Medium {
     /// Of two lines together.
     void depths(const Amounts& amounts, const Amounts& more, std::span<double> out) const;
     void transmittances(const Amounts& amounts, std::span<double> out) const;
-    /// Transmittance of gases and continua alone: neither Rayleigh nor aerosol.
+    /// Transmittance of gases and continua only, without Rayleigh scattering and aerosol.
     void absorption_transmittances(const Amounts& amounts, std::span<double> out) const;
 
  private:

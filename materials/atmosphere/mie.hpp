@@ -6,7 +6,7 @@
 
 namespace diurna {
 
-/// Efficiencies of a homogeneous sphere: cross sections over its geometric one.
+/// Efficiencies of a homogeneous sphere: cross sections over its geometric cross section.
 struct MieEfficiency {
     double extinction, scattering;
     double asymmetry;  // mean cosine of scattering
@@ -38,8 +38,8 @@ struct MieMean {
 MieMean mie_mean(std::span<const SizeMode> modes, std::span<const std::complex<double>> index,
                  double wavelength_um);
 
-/// Phase function of unpolarised light at the given cosines of the scattering angle, mean 1 over
-/// the sphere, of the same mean.
+/// Phase function of unpolarised light at the given cosines of the scattering angle, with mean 1
+/// over the sphere, for the same mean over modes.
 std::vector<double> mie_phase(std::span<const SizeMode> modes,
                               std::span<const std::complex<double>> index, double wavelength_um,
                               std::span<const double> cosine);

@@ -11,19 +11,19 @@
 
 namespace diurna {
 
-/// Light that has come to a place through air of its own, and how much of it gets through more of
-/// it: from there on to an eye.
+/// Light that has reached a place through air, and the share of it that passes a further path from
+/// there to an observer.
 ///
-/// Both ways are one path to the band model, τ = exp(−(C·W)^a) of the sum of their amounts. Lines
-/// that are dark after the first way take little on the second, so that more arrives than the
-/// product of their transmittances says: 3 to 7 % of sunlight in 0.7-1.0 and 1.5-1.8 µm, a tenth of
-/// the sky's heat (tests/materials/onward_light_test.cpp). In a table of paths, which has no
-/// amounts, and in a vacuum it is the product.
+/// The band model treats both paths as one, τ = exp(−(C·W)^a) of the sum of their amounts. Lines
+/// that are saturated on the first path absorb little on the second, so that more arrives than the
+/// product of the transmittances gives: 3 to 7 % of sunlight in 0.7-1.0 and 1.5-1.8 µm, a tenth of
+/// the sky's thermal radiance (tests/materials/onward_light_test.cpp). A table of paths, which has
+/// no amounts, and a vacuum use the product.
 ///
-/// Made once for a height, then asked for many ways; safe to share between threads. Exact for the
-/// sun. The sky's heat comes under four zenith angles, within 1 % of mean_sky_at_nodes() along
-/// both ways over 20 km; to the sunlight it scatters the air has done what it did to the beam: all
-/// sunlight on level ground is within 1.5 % of the sum along lines.
+/// Built once for a height, then evaluated for many paths; safe to share between threads. Exact for
+/// the sun. The sky's thermal radiance comes from four zenith angles, within 1 % of
+/// mean_sky_at_nodes() along both paths over 20 km; scattered sunlight is attenuated as the beam
+/// is: all sunlight on level ground is within 1.5 % of the sum along lines.
 class OnwardLight {
  public:
     /// - atmosphere: to outlive it
@@ -32,27 +32,27 @@ class OnwardLight {
     OnwardLight(const Atmosphere& atmosphere, double height_km, double sun_zenith_deg,
                 std::span<const double> node_um, bool sky = true);
 
-    /// A way to the place, and which share of the sunlight and of the sky's heat there gets to its
-    /// beginning, (node).
+    /// A path from an observer to the place, and the shares of the sunlight and of the sky's
+    /// thermal radiance there that arrive at the observer, (node).
     struct Way {
         PathSpectrum path;
         std::vector<double> sunlight, sky_heat;
     };
-    /// - from_eye: from an eye to the place
+    /// - from_eye: from an observer to the place
     Way way(const SightLine& from_eye) const;
 
  private:
-    /// A line to the sky, with what it has met at the end of each segment, and how warm it is
-    /// there.
+    /// A line to the sky, with the amounts and black-body radiance at the end of each
+    /// segment.
     struct SkyLine {
         double weight = 0.0;
         std::vector<Amounts> met;                 // (edge)
         std::vector<std::vector<double>> black;   // (edge)(bin)
-        std::size_t cloud = 0;                    // edge at the cloud's base; 0: it meets none
+        std::size_t cloud = 0;                    // edge at the cloud's base; 0: no cloud on it
         std::vector<double> behind, cloud_black;  // (bin)
     };
     SkyLine sky_line(double height_km, double zenith_deg, double weight) const;
-    /// Adds what arrives of a line's light behind the amounts `more`; null: of the line alone.
+    /// Adds what arrives of a line's light behind the amounts `more`; null: no further path.
     void add_heat(const SkyLine& line, const Amounts* more, std::vector<double>& sum) const;
     std::vector<double> per_node(const std::vector<double>& per_bin) const;
 
@@ -63,7 +63,7 @@ class OnwardLight {
     Amounts to_sun_;
     std::vector<double> sun_depth_;  // (bin); empty: the sun does not reach the place
     std::vector<SkyLine> sky_;
-    std::vector<double> heat_;  // (bin) of all lines, with no more air
+    std::vector<double> heat_;  // (bin) of all lines, without a further path
 };
 
 }  // namespace diurna

@@ -6,15 +6,15 @@
 
 namespace diurna {
 
-/// The aerosol with the forward peak of its scattering counted as not scattered at all (delta
-/// scaling: the share g² of it; Joseph, Wiscombe & Weinman 1976).
+/// The aerosol with the forward peak of its scattering counted as unscattered (delta scaling: the
+/// share g²; Joseph, Wiscombe & Weinman 1976).
 struct ScaledAerosol {
     std::vector<double> extinction;  // (bin) [km⁻¹] of aerosol
     std::vector<double> scattering;  // (bin) [km⁻¹] of aerosol
     std::vector<double> asymmetry;   // (bin)
     Scatterers whole;
 
-    /// Extinction [km⁻¹] that the scaling took away.
+    /// Extinction [km⁻¹] removed by the scaling.
     double peak(std::size_t bin) const { return whole.aerosol_extinction[bin] - extinction[bin]; }
 };
 ScaledAerosol scaled_aerosol(const Medium& medium, double height_km);

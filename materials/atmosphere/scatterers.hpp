@@ -7,13 +7,13 @@
 
 namespace diurna {
 
-/// How a cubic kilometre of air scatters sunlight, per bin.
+/// Scattering of sunlight by air, per kilometre and bin.
 struct Scatterers {
     std::vector<double> rayleigh;            // (bin) [km⁻¹]
     std::vector<double> aerosol_extinction;  // (bin) [km⁻¹], rain included
     std::vector<double> aerosol_scattering;  // (bin) [km⁻¹]
     std::vector<double> asymmetry;           // (bin) of the aerosol
-    /// Scattering [km⁻¹] of the boundary layer's aerosol, the troposphere's, rain: (bin), or empty.
+    /// Scattering [km⁻¹] of boundary-layer aerosol, tropospheric aerosol and rain: (bin), or empty.
     std::array<std::vector<double>, 3> part;
 };
 

@@ -2,8 +2,8 @@
 
 namespace diurna {
 
-/// The sun's irradiance above the air at 1 AU [W m⁻² µm⁻¹], 0.3 to 20 µm, mean over the bin that
-/// holds the wavelength (the band model's bins and five below them); beyond, the nearest bin's.
+/// The sun's irradiance above the air at 1 AU [W m⁻² µm⁻¹], 0.3 to 20 µm, averaged over the
+/// wavelength's bin (the band model's bins and five below them); outside, the nearest bin's.
 /// ASTM E490 scaled to `solar_constant`; source: data_folder()/atmosphere/SOURCE.md.
 double solar_above_air(double wavelength_um);
 

@@ -8,17 +8,17 @@
 
 namespace diurna {
 
-/// What a table keeps of a path, smooth along the table's axes: optical depth, and the temperature
-/// [K] of the black body whose light times 1 − τ is the path's.
+/// How a table stores a path: optical depth, and the temperature [K] of the black body whose
+/// radiance times 1 − τ is the path's. Both are smooth along the table's axes.
 struct StoredPath {
     std::vector<double> depth, temperature;  // (bin)
 };
 
-/// From the path's spectrum at the middles of bins; `fallback` is the temperature of one as good as
-/// empty.
+/// From the path's spectrum at the middles of bins; `fallback` is the temperature used for a path
+/// with almost no depth.
 StoredPath stored(const PathSpectrum& path, BinRange bins, double fallback);
 
-/// Its spectrum at nodes. Throws InputError for nodes outside the bins.
+/// The path's spectrum at nodes. Throws InputError for nodes outside the bins.
 PathSpectrum restored(const StoredPath& path, BinRange bins, std::span<const double> node_um);
 
 }  // namespace diurna

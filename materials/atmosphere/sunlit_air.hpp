@@ -13,16 +13,16 @@
 
 namespace diurna {
 
-/// The sun as a scene's air and ground receive it.
+/// The sun's light on a scene's air and ground.
 struct SunLight {
     double zenith_deg = 180.0;  // at the ground, as seen through the air
     double distance_au = 1.0;
-    double ground_albedo = 0.2;  // of the land all around, at every wavelength
-    /// The moon at that zenith angle in place of the sun, whose distance is 1 au then.
+    double ground_albedo = 0.2;  // of the surrounding land, at every wavelength
+    /// The moon replaces the sun at that zenith angle; the distance is then 1 au.
     std::optional<MoonLight> moon{};
 };
 
-/// Drops of clouds: mean cosine of their scattering, and the share of it in the peak.
+/// Cloud drops: mean cosine of their scattering, and the share of scattering in the peak.
 inline constexpr double cloud_asymmetry = 0.85;
 inline constexpr double cloud_peak = cloud_asymmetry * cloud_asymmetry;
 
@@ -50,13 +50,13 @@ struct SunlitAir {
     SunLight sun;
     BinRange bins;
     std::vector<std::size_t> node_bin;  // counted from the first of the range
-    std::vector<double> node_share;     // irradiance there over the sun's of its bin
+    std::vector<double> node_share;     // irradiance at the node over the bin's mean
     std::vector<double> above_air;  // (bin) irradiance [W m⁻² µm⁻¹] at the sun's distance
     std::vector<double> level;      // [km], ascending
     std::vector<bool> lit;          // (level)
-    /// Amounts on the way to the sun: logarithms of gases, then of the linear terms; optical
-    /// depths (bin) of scaled aerosol, and what scaling took from it. Levels the sun does not reach
-    /// have those of the lowest it does.
+    /// Amounts along the path to the sun: logarithms of gases, then of the linear terms; optical
+    /// depths (bin) of scaled aerosol, and the depth removed by scaling. Levels without direct sun
+    /// have the values of the lowest level with it.
     LevelCurves ln_amount, aerosol, peak;
     DiffuseField clear, cloudy;  // under a sky without and with cloud; the latter empty: none
     std::shared_ptr<const LitLayers> layers;

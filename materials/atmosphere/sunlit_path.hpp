@@ -8,9 +8,9 @@
 
 namespace diurna {
 
-/// Cosines of the angles by which a line turns the sun's light, (azimuth): light comes from the sun
-/// and goes on towards the eye, so it turns by the angle between the direction to the sun and that
-/// of the line.
+/// Cosines of the scattering angles of sunlight on a line, (azimuth): light travels away from the
+/// sun and on towards the observer, so the scattering angle is that between the directions of the
+/// sun and of the line.
 std::vector<double> turns(const SunLight& sun, double zenith_deg,
                           std::span<const double> azimuth_from_sun_deg);
 
@@ -22,16 +22,16 @@ struct ScatteredLight {
 
     std::vector<double> towards(std::size_t turn, double cosine) const;
     void scale(double factor);
-    /// Makes a share of it another light.
+    /// Mixes in a share of another light.
     void mix(double share, const ScatteredLight& other);
 };
 
-/// Under a sky without cloud, or all under it.
+/// Without cloud, or entirely below it.
 ///
-/// something_behind  whoever asks adds what is behind the line's end, times its transmittance
-/// onward            leads from an eye to a mirror at the line's start: what of the light arrives
-/// at
-///                   the eye, on top of what that way scatters with something behind
+/// something_behind  the caller adds what is behind the line's end, times its transmittance
+/// onward            path from an observer to a mirror at the line's start: returns the part of
+///                   the light that arrives at the observer, in addition to the light that path
+///                   scatters itself with something behind its end
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, bool under_cloud,
                                bool something_behind, const SightLine& onward = {});

@@ -11,13 +11,13 @@
 
 namespace diurna {
 
-/// What a table of paths spans. Lines outside are refused; the sky is known to zenith 90° and below
-/// that taken as there.
+/// The range of a table of paths. Lines outside are refused; the sky is tabulated to zenith 90°,
+/// and larger angles take the value at 90°.
 struct TableSpan {
     double least_from_km = 0.0, most_from_km = 0.0;  // heights of observers
-    double least_to_km = 0.0, most_to_km = 0.0;      // of what they see
+    double least_to_km = 0.0, most_to_km = 0.0;      // of the points they see
     double most_range_km = 0.0;
-    double least_sky_km = 0.0, most_sky_km = 0.0;  // of who sees the sky
+    double least_sky_km = 0.0, most_sky_km = 0.0;  // of places that see the sky
     double least_um = 0.0, most_um = 0.0;
     std::size_t paths = 0;
 };
@@ -28,9 +28,9 @@ struct PathRow {
     std::vector<StoredPath> path;
 };
 
-/// Paths from every height of `from` to every one of `to` over some ranges of its own, and to space
-/// from every one of `sky_from` under some zenith angles. Between them: cubic in heights, in
-/// range^⅓ and in zenith_variable(); a path shorter than the shortest is thinner in proportion.
+/// Paths from every height of `from` to every one of `to` over one or more ranges, and to space
+/// from every one of `sky_from` under several zenith angles. Interpolation is cubic in heights, in
+/// range^⅓ and in zenith_variable(); a path shorter than the shortest has a proportional depth.
 struct TabulatedPaths {
     BinRange bins;
     std::vector<double> from, to, sky_from;  // [km], ascending
@@ -39,18 +39,18 @@ struct TabulatedPaths {
     TableSpan span;
 };
 
-/// An atmosphere known from a table of paths alone. Copies share the table.
+/// An atmosphere given only by a table of paths. Copies share the table.
 struct Tabulated {
     std::shared_ptr<const TabulatedPaths> paths;
-    std::shared_ptr<const Profile> profile;  // how warm the air is where lines leave the scene
+    std::shared_ptr<const Profile> profile;  // air temperature where lines leave the scene
     double space_temperature = 2.725;        // [K] behind the sky
 };
 
-/// Zenith angles crowd towards the horizon: 1 − √(1 − zenith / 90°).
+/// Spacing of zenith angles, denser towards the horizon: 1 − √(1 − zenith / 90°).
 double zenith_variable(double zenith_deg);
 
-/// A path between two heights over a range, and one to space. Throw InputError for what the table
-/// does not span.
+/// A path between two heights over a range, and one to space. Throw InputError outside the range of
+/// the table.
 PathSpectrum table_path(const TabulatedPaths& table, double from_km, double to_km, double range_km,
                         std::span<const double> node_um);
 PathSpectrum table_sky(const TabulatedPaths& table, double height_km, double zenith_deg,

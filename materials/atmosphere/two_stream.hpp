@@ -13,14 +13,14 @@ struct ScatteringLayer {
     double beam_in, beam_out;  // irradiance of a plane facing the sun, at its top and bottom
 };
 
-/// Diffuse fluxes through horizontal planes at every level (layers + 1, from the top), in the unit
-/// of the beam.
+/// Diffuse fluxes through horizontal planes at every level (layers + 1, from the top), in the same
+/// unit as the beam.
 struct DiffuseFlux {
     std::vector<double> up, down;
 };
 
-/// Multiple scattering in plane layers over ground of an albedo, Eddington's two streams; the beam
-/// may fade at any rate within a layer (its path need not be straight or the air plane).
+/// Multiple scattering in plane layers over ground of an albedo, by Eddington's two streams; the
+/// beam may decrease at any rate within a layer (so its path may be bent and the air spherical).
 ///
 /// sun_cosine     of the beam's zenith angle where it is scattered and reflected, 0 to 1
 /// down_at_top    diffuse flux entering from above (0 at the top of the air)

@@ -11,7 +11,7 @@ namespace diurna {
 ///
 /// First r ≈ x^(−1/3) from a third of x's bits, which are nearly its logarithm: h = 1 − x r³ is
 /// 0.102 at most. Then r (1 − h)^(−1/3) by the binomial series, to h⁴ and once more to h²; x r² is
-/// the root. Relative error below 2e-15 from 1e-290 to 1e290; nought at nought
+/// the root. Relative error below 2e-15 from 1e-290 to 1e290; zero at zero
 /// (tests/thermal/turbulence_test).
 inline double cube_root(double x) {
     constexpr double least = 1e-290;  // below it r³ could overflow

@@ -8,7 +8,7 @@
 
 #include "materials/base/document_state.hpp"
 
-/// What the sources of Section ask of a file's nodes.
+/// Helpers of the sources of Section for a file's nodes.
 namespace diurna {
 
 inline const toml::table* as_table(const void* table) {
@@ -40,7 +40,7 @@ inline bool finite_number(const toml::node& node, double& value) {
     return std::isfinite(value);
 }
 
-/// What stands for a value in a list of keys: what is said of it, else the value.
+/// Default value in a list of keys: the given description, else the value.
 inline std::string or_said(const std::string& said, std::string value) {
     return said.empty() ? std::move(value) : said;
 }

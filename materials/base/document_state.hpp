@@ -17,8 +17,8 @@
 
 namespace diurna {
 
-/// What a document and its sections share: the parsed file, the mistakes found so far, and what its
-/// readers asked for. Hides the TOML library; for document.cpp and section.cpp alone.
+/// State shared by a document and its sections: the parsed file, the mistakes found so far, and the
+/// keys read. Hides the TOML library; only for document.cpp and section.cpp.
 struct DocumentState {
     struct Placed {
         std::uint32_t line = 0, column = 0;
@@ -26,12 +26,12 @@ struct DocumentState {
         std::string path;  // "terrain.rule[0].width_m"
     };
 
-    /// What was asked of one table.
+    /// Keys read from one table.
     struct Table {
         std::set<std::string> asked;
         std::set<std::string> tested;                             // of those, by has()
         std::vector<std::pair<std::string, std::string>> chosen;  // word keys and their words
-        bool free = false;                                        // its keys are anybody's choice
+        bool free = false;                                        // its keys are free names
     };
 
     std::string file;
@@ -39,13 +39,32 @@ struct DocumentState {
     toml::table root;
     std::vector<Placed> mistakes;
     std::map<std::string, Table> table;  // by its path: "terrain.rule[0]"
-    std::vector<Key> keys;               // as they were asked for
+    std::vector<Key> keys;               // in the order of reading
 
-    /// "file:line:column: path.to.key"
+    /// A table [[observer]] by its name: "observer[1]" -> "observer.east", as --set and warnings
+    /// name it. `several`: it is not the only one.
+    struct Named {
+        std::string path;
+        bool several = false;
+    };
+    std::map<std::string, Named> by_name;
+
+    /// The path with names instead of numbers; without `always` only of several tables.
+    std::string named(const std::string& path, bool always) const {
+        for (std::size_t end = path.rfind(']'); end != std::string::npos && end > 0;
+             end = path.rfind(']', end - 1)) {
+            const auto found = by_name.find(path.substr(0, end + 1));
+            if (found == by_name.end() || !(always || found->second.several)) continue;
+            return found->second.path + path.substr(end + 1);
+        }
+        return path;
+    }
+    /// "file:line:column: path.to.key"; of a setting "--set path.to.key"
     std::string place(const toml::source_region& source, const std::string& path) const {
         const bool set = source.path && source.path->starts_with("--set ");
-        if (set || source.begin.line == 0) return "--set " + path;  // it is not from the file
-        return fmt::format("{}:{}:{}: {}", file, source.begin.line, source.begin.column, path);
+        if (set || source.begin.line == 0) return "--set " + named(path, true);
+        return fmt::format("{}:{}:{}: {}", file, source.begin.line, source.begin.column,
+                           named(path, false));
     }
     void note(const toml::source_region& source, const std::string& path,
               const std::string& problem, const std::string& hint = "") {

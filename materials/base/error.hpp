@@ -10,20 +10,20 @@
 
 namespace diurna {
 
-/// One thing that is wrong with an input, reported so that its author can mend it.
+/// One mistake in an input, reported so that its author can correct it.
 struct Mistake {
     std::string where;    ///< "ridge.toml:41:13: weather.wind_m_s", or a file's name
     std::string problem;  ///< what was found and what was expected, in one line
-    std::string hint;     ///< nearest valid spelling or another way out; may be empty
+    std::string hint;     ///< nearest valid spelling or another remedy; may be empty
 
-    /// "where: problem (hint)"; bytes that would steer a terminal are '?'
+    /// "where: problem (hint)"; control bytes are printed as '?'
     std::string line() const;
 };
 
 inline constexpr std::size_t most_mistakes_reported = 20;
 
-/// An input cannot be used. Thrown where text becomes a value; `main` prints every mistake on its
-/// own line and leaves with code 2, before anything has been written.
+/// An input cannot be used. Thrown where text is converted to a value; `main` prints each mistake
+/// on its own line and exits with code 2, before anything has been written.
 class InputError : public std::runtime_error {
  public:
     InputError(std::string where, std::string problem, std::string hint = "");
@@ -45,7 +45,7 @@ void check_within(const std::string& where, double value, double least, double m
 [[noreturn]] void refuse_word(const std::string& where, std::string_view word,
                               std::span<const std::string> known);
 
-/// A to Z as a to z; other bytes as they are.
+/// A to Z as a to z; other bytes unchanged.
 std::string small_letters(std::string_view text);
 
 /// The candidate with the smallest edit distance to `word`, or "" if none is near enough

@@ -13,20 +13,20 @@
 
 namespace diurna {
 
-/// A regular file of at most `limit` bytes, to be read bit by bit. Throws as read_text().
+/// Opens a regular file of at most `limit` bytes, to be read in parts. Throws as read_text().
 std::ifstream open_file(const std::filesystem::path& path, std::uintmax_t limit);
 
 /// The text of a regular file of at most `limit` bytes. Throws InputError naming the file if it is
 /// missing, not a regular file, unreadable or larger.
 std::string read_text(const std::filesystem::path& path, std::size_t limit = 64u << 20);
 
-/// Writes a whole file or none: into a temporary name beside it, flushed to disk, then renamed.
-/// Throws std::runtime_error with path and reason; the target is then as it was.
+/// Writes a whole file or none: into a temporary file beside it, flushed to disk, then renamed.
+/// Throws std::runtime_error with path and reason; the target is then unchanged.
 void write_whole_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
-/// Throws InputError where results cannot take the place of what stands at a path: a device, a
-/// pipe, a folder, one of the `inputs` they are made of; or where its folder is none.
+/// Throws InputError if results cannot be written to a path: it is a device, a pipe, a folder or
+/// one of the `inputs` of the results; or its folder does not exist.
 void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
 
 }  // namespace diurna

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <vector>
 
-/// Which files a scene is made of, found by watching what is opened, not by a list that would have
-/// to be kept: spectra, tables, sidecars, what a mesh names in turn.
+/// The files that a scene is read from, recorded when they are opened instead of listed by hand:
+/// spectra, tables, sidecars, files that a mesh names.
 namespace diurna {
 
-/// A file, and what it was when it was first opened.
+/// A file, and its size and time when it was first opened.
 struct FileRead {
-    std::filesystem::path path;  // as it was named, in its normal form
+    std::filesystem::path path;  // path as it was named, normalised
     std::uintmax_t size = 0;     // [bytes]
     std::int64_t changed = 0;    // [ns] when its content was last written
     std::uint64_t device = 0, node = 0;
@@ -18,11 +18,11 @@ struct FileRead {
     bool operator==(const FileRead&) const = default;
 };
 
-/// Whether the file still is what was opened; false where it is gone.
+/// Whether the file is still the one that was opened; false if it no longer exists.
 bool is_unchanged(const FileRead& file);
 
-/// Notes, while it lives, each file that any thread of the program reads. Several may live at a
-/// time; each has all of what was opened meanwhile.
+/// While it exists, records each file that any thread of the program reads. Several may exist at a
+/// time; each records all files opened since its creation.
 class FilesRead {
  public:
     FilesRead();
@@ -33,12 +33,12 @@ class FilesRead {
     std::vector<FileRead> files() const;
 };
 
-/// The two lists as one, ascending by path; of a file in both that of the first.
+/// The two lists merged, ascending by path; a file in both is taken from the first.
 std::vector<FileRead> merged(const std::vector<FileRead>& first,
                              const std::vector<FileRead>& second);
 
-/// Every reader calls it before it opens a file, and for those that a library has opened by itself.
-/// One that is not there is no file read.
+/// Every reader calls it before it opens a file, and for files that a library opens itself. A file
+/// that does not exist is not recorded.
 void note_file_read(const std::filesystem::path& file);
 
 }  // namespace diurna

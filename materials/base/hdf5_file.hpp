@@ -8,15 +8,15 @@
 
 namespace diurna {
 
-/// An HDF5 file, which a netCDF-4 file is, can have its values in other files: by links, by
-/// external storage, as a virtual dataset. Throws InputError of one that has; does nothing with
-/// files of other kinds. To be asked before netCDF opens a file.
+/// An HDF5 file, and so a netCDF-4 file, can have its values in other files: by links, by external
+/// storage, as a virtual dataset. Throws InputError for such a file; does nothing with files of
+/// other formats. To be called before netCDF opens a file.
 void check_values_are_its_own(const std::filesystem::path& file);
-/// The same of a file's bytes; `name` names it in messages.
+/// The same for a file in memory; `name` names it in messages.
 void check_values_are_its_own(std::span<const std::byte> bytes, const std::string& name);
 
-/// The bytes of an HDF5 file that holds nothing and keeps the order of what is put into it, as
-/// netCDF wants of a file it is to change. Empty where the library fails.
+/// The bytes of an empty HDF5 file that tracks the order of creation, which netCDF needs in a file
+/// it is to change. Empty if the library fails.
 std::vector<std::byte> hdf5_with_nothing_in_it();
 
 }  // namespace diurna

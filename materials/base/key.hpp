@@ -15,10 +15,10 @@ struct Range {
     double least = -infinity, most = infinity;
 };
 
-/// What a reader said of a key when it asked a document for it (materials/base/section.hpp); of
-/// these scenes/KEYS.md and the schema are made.
+/// What a reader declares about a key when it reads it from a document
+/// (materials/base/section.hpp); scenes/KEYS.md and the schema are made from these.
 struct Key {
-    /// `tested`: asked only whether it is there; `files`: a text or an array of texts.
+    /// `tested`: only its presence was tested; `files`: a text or an array of texts.
     enum class Kind {
         tested,
         number,
@@ -39,15 +39,15 @@ struct Key {
 
     std::string table{};  // path of its table: "terrain.rule[0]"; the root is ""
     std::string path{};   // of the key in every such table: "terrain.rule[].slope_deg"; "NAME"
-                          // stands for a key that the file's author is free to choose
+                          // is a key that the file's author may choose
     Kind kind = Kind::tested;
     std::string says{};      // in one line what it means
-    bool required = false;   // a mistake where it is absent
-    std::string fallback{};  // in place of an absent one; "": nothing to be reported
+    bool required = false;   // its absence is a mistake
+    std::string fallback{};  // value if absent; "": nothing to report
     Range range{};           // of a number
     std::size_t count = 0;   // of an array of numbers, or of each of its rows; 0: any; 1 of
                              // tables that may be one table
-    std::vector<std::string> words{};  // all that a word may be; the one thing that a name names
+    std::vector<std::string> words{};  // all allowed words; the kind of thing that a name refers to
     /// The words chosen so far in the same table, by their keys: ("kind", "gloss"), ...
     std::vector<std::pair<std::string, std::string>> chosen{};
 };

@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// What made a file, for files to say: in attributes, manifests, pages and labels.
+/// Program and version for files that it writes: attributes, manifests, pages and labels.
 namespace diurna {
 
 /// The program and its version, "diurna 0.1.0".

@@ -24,10 +24,10 @@ inline double monotone_end_slope(double near_step, double far_step, double near_
 
 /// Slopes of the curve through values at ascending places that is monotone wherever they are:
 /// weighted harmonic means of the secants (Fritsch & Butland 1984, in Brodlie's form for uneven
-/// spacing), zero at extremes; at the ends a parabola's, if it does not turn.
+/// spacing), zero at extremes; at the ends those of a parabola, unless it changes sign.
 ///
-/// The Hermite curve with them is continuous with its first derivative: tables made of it have no
-/// kinks. Needs two places or more.
+/// The Hermite curve with these slopes has a continuous first derivative, so tables interpolated
+/// with it have no kinks. Needs two places or more.
 inline std::vector<double> monotone_slopes(std::span<const double> place,
                                            std::span<const double> value) {
     const std::size_t n = place.size();
@@ -53,7 +53,7 @@ inline std::vector<double> monotone_slopes(std::span<const double> place,
 /// the grid.
 struct HermiteWeights {
     std::size_t low = 0;  // and low + 1
-    double t = 0.0;       // part of the way between them
+    double t = 0.0;       // fraction of the interval
     double value_low = 1.0, slope_low = 0.0, value_high = 0.0, slope_high = 0.0;
 };
 inline HermiteWeights hermite_weights(std::span<const double> place, double x) {

@@ -5,12 +5,12 @@
 
 namespace diurna {
 
-/// Names and messages that hold nothing but characters to be read: UTF-8 without control characters
-/// (lines' ends and escape sequences among them) and without those that turn the direction of what
-/// follows.
+/// Whether a name or message has only printable characters: UTF-8 without control characters (line
+/// ends and escape sequences among them) and without characters that change the direction of the
+/// text that follows.
 bool is_plain(std::string_view text);
 
-/// The same text with '?' for each byte that makes it otherwise.
+/// The same text with '?' for each byte that is not plain.
 std::string plain(std::string_view text);
 
 }  // namespace diurna

@@ -4,19 +4,19 @@
 #include <cstdint>
 #include <utility>
 
-/// Numbers that look random but are functions of their arguments alone (seed, facet, pixel,
-/// sample), so that the same input gives the same bytes on any number of threads; and sequences
-/// that fill evenly.
+/// Pseudo-random numbers that are functions of their arguments only (seed, facet, pixel, sample),
+/// so that the same input gives the same bytes on any number of threads; and sequences that fill a
+/// range evenly.
 namespace diurna {
 
-/// Odd steps over which counters stay far apart: 2⁶⁴ and 2³² over the golden ratio, and 2⁶⁴ times
-/// the first step of Roberts' R3 sequence for a second counter.
+/// Odd increments that keep successive counters far apart: 2⁶⁴ and 2³² over the golden ratio, and
+/// 2⁶⁴ times the first step of Roberts' R3 sequence for a second counter.
 inline constexpr std::uint64_t golden_step = 0x9E3779B97F4A7C15u;
 inline constexpr std::uint32_t golden_step32 = 0x9E3779B9u;
 inline constexpr std::uint64_t second_step = 0xD1B54A32D192ED03u;
 
-/// Each of 64 bits in spread over all: SplitMix64's finaliser (Stafford's variant 13 of
-/// MurmurHash3's). Nought stays nought.
+/// Each of the 64 input bits changes all output bits: SplitMix64's finaliser (Stafford's variant 13
+/// of MurmurHash3's). Zero stays zero.
 constexpr std::uint64_t spread_bits(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
     x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
@@ -29,7 +29,7 @@ constexpr std::uint32_t spread_bits(std::uint32_t x) {
     return x ^ (x >> 16);
 }
 
-/// SplitMix64 (Steele, Lea & Flood 2014) at a state: the hash of a number, nought included.
+/// SplitMix64 (Steele, Lea & Flood 2014) at a state: the hash of a number, zero included.
 constexpr std::uint64_t hashed(std::uint64_t x) { return spread_bits(x + golden_step); }
 
 /// Uniform in [0, 1) from the upper 53 of 64 bits.
@@ -37,7 +37,7 @@ constexpr double unit_interval(std::uint64_t bits) {
     return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// A stream of numbers uniform in [0, 1), set by where it starts (SplitMix64).
+/// A stream of numbers uniform in [0, 1), determined by its start (SplitMix64).
 struct RandomStream {
     std::uint64_t state;
     double operator()() {
@@ -47,13 +47,13 @@ struct RandomStream {
     }
 };
 
-/// Steps of Roberts' R2 sequence, whose first points fill the unit square evenly, however many:
+/// Steps of Roberts' R2 sequence: any number of its first points fills the unit square evenly;
 /// point k is (start + k step) modulo 1. Also in units of 2⁻³².
 inline constexpr double even_step_x = 0.7548776662466927, even_step_y = 0.5698402909980532;
 inline constexpr std::uint32_t even_step32_x = 3242174889u, even_step32_y = 2447445414u;
 
-/// Splits n > 0 into columns × rows as square as it goes, n = columns · rows: cells for stratified
-/// samples.
+/// Splits n > 0 into columns × rows, as nearly square as possible, n = columns · rows: cells for
+/// stratified samples.
 inline std::pair<int, int> nearly_square(int n) {
     int rows = static_cast<int>(std::sqrt(static_cast<double>(n)));
     while (n % rows != 0) --rows;

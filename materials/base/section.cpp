@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "materials/base/article.hpp"
@@ -11,6 +13,27 @@
 namespace diurna {
 
 namespace {
+
+/// The names of tables, if each has one and no other has it; else empty.
+std::vector<std::string> names_of(const toml::array& tables) {
+    std::vector<std::string> names;
+    for (const toml::node& one : tables) {
+        names.push_back((*one.as_table())["name"].value_or(std::string()));
+    }
+    std::vector<std::string> sorted = names;
+    std::sort(sorted.begin(), sorted.end());
+    const bool twice = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    const bool all = !sorted.empty() && !sorted.front().empty();
+    return all && !twice ? names : std::vector<std::string>{};
+}
+
+/// A name as part of a path, in the form that --set reads.
+std::string quoted_if_needed(const std::string& name) {
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-';
+    });
+    return plain ? name : "\"" + name + "\"";
+}
 
 std::string range_text(Range range) {
     const bool below = std::isinf(range.least), above = std::isinf(range.most);
@@ -316,9 +339,15 @@ std::vector<Section> Section::sections_of(const std::string& key,
                                  joined_path(path_, key)));
         return {};
     }
+    const std::vector<std::string> names = names_of(*array);
     std::vector<Section> found;
     for (const toml::node& element : *array) {
         const std::string path = fmt::format("{}[{}]", joined_path(path_, key), found.size());
+        if (!names.empty()) {
+            const std::string all = joined_path(state_->named(path_, true), key);
+            state_->by_name[path] = {joined_path(all, quoted_if_needed(names[found.size()])),
+                                     names.size() > 1};
+        }
         found.push_back(Section(state_, element.as_table(), path, pattern));
     }
     return found;

@@ -18,8 +18,8 @@ namespace diurna {
 
 struct DocumentState;
 
-/// A value in place of an absent key. `said` reports of it in scenes/KEYS.md where the value alone
-/// would not: {radius, "radius_m"}.
+/// The value of an absent key. `said` replaces it in scenes/KEYS.md where the value alone is
+/// unclear: {radius, "radius_m"}.
 template <class T>
 struct Or {
     T value{};
@@ -31,21 +31,21 @@ struct Or {
         : value(std::forward<U>(v)), said(std::move(text)) {}
 };
 
-/// A word and what it stands for.
+/// A word and its value.
 template <class T>
 struct Choice {
     const char* word;
     T value;
 };
 
-/// Names that a key may give: a material's, a texture's. `where` ends the message of an unknown
-/// one: no texture "grvel" in [[texture]]; its hint is the nearest, unless `instead` has one, and
-/// `listed`, the command that lists them.
+/// Names that a key may give: a material's, a texture's. `where` ends the message for an unknown
+/// one: no texture "grvel" in [[texture]]; the hint is the nearest name, or the entry of `instead`,
+/// and `listed`, the command that lists them.
 struct Names {
     std::string what;
     std::vector<std::string> known;
     std::string where = "";
-    std::map<std::string, std::string> instead{};  // what mends a name that is known to be none
+    std::map<std::string, std::string> instead{};  // remedies for known wrong names
     std::string listed = "";                       // "`diurna materials` lists them"; or ""
 };
 
@@ -60,20 +60,20 @@ struct Names {
 ///     section.choice_or("voids", "posts without elevation", VoidPolicy::refuse,
 ///                       {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}})
 ///
-/// What has no `or` is a mistake where it is absent, unless has() was asked before.
+/// A key without `or` is required, unless has() was called for it before.
 class Section {
  public:
     bool has(const std::string& key) const;
-    /// Keys present in the table, in the order of the file. Asking counts them all as known: for
-    /// tables whose keys are free, such as the names of materials.
+    /// Keys present in the table, in the order of the file. Counts them all as known: for tables
+    /// with free keys, such as the names of materials.
     std::vector<std::string> free_keys() const;
-    /// Counts all keys as known, for want of a word that would tell which are.
+    /// Counts all keys as known, if the word that determines them is missing.
     void pass_over() const;
 
     double number(const std::string& key, const char* says, Range range = {}) const;
     double number_or(const std::string& key, const char* says, Or<double> fallback,
                      Range range = {}) const;
-    /// A number, or one of the given words: the other is NaN or "".
+    /// A number, or one of the given words; the other member is NaN or "".
     struct NumberOrWord {
         double number;
         std::string word{};
@@ -83,27 +83,27 @@ class Section {
     int integer_or(const std::string& key, const char* says, Or<int> fallback, Range range) const;
     std::string text(const std::string& key, const char* says) const;
     std::string text_or(const std::string& key, const char* says, Or<std::string> fallback) const;
-    /// The file that a text names, from the document's folder on. "" after a mistake: there is
-    /// none, or it lies beyond the document's confines (materials/base/confines.hpp).
+    /// The file that a text names, relative to the document's folder. "" after a mistake: the file
+    /// does not exist, or it is outside the document's confines (materials/base/confines.hpp).
     std::filesystem::path file(const std::string& key, const char* says) const;
     /// The files that a text or an array of texts names; empty after a mistake.
     std::vector<std::filesystem::path> files(const std::string& key, const char* says) const;
-    /// The same of a name that a key's value has.
+    /// The same for a name taken from a key's value.
     std::filesystem::path file_named(const std::string& key, const std::string& name) const;
     const Confines& confines() const;
-    /// One of the names that are known; anything else is a mistake with the nearest name.
+    /// One of the known names; anything else is a mistake with the nearest name as hint.
     std::string name(const std::string& key, const char* says, const Names& names) const;
     std::string name_or(const std::string& key, const char* says, Or<std::string> fallback,
                         const Names& names) const;
     /// One of the given words; anything else is a mistake with the nearest word.
     std::string word_or(const std::string& key, const char* says, Or<std::string> fallback,
                         const std::vector<std::string>& words) const;
-    /// What one of the given words stands for.
+    /// The value of one of the given words.
     template <class T>
     T choice_or(const std::string& key, const char* says, const T& fallback,
                 const std::type_identity_t<std::vector<Choice<T>>>& choices) const;
-    /// The word under `kind`, which reports what else the table holds: beside an unknown one all
-    /// keys are passed over.
+    /// The word under `kind`, which determines the other keys of the table: after an unknown word
+    /// all keys are skipped.
     std::string kind_or(const char* says, const char* fallback,
                         const std::vector<std::string>& words) const;
     bool flag_or(const std::string& key, const char* says, bool fallback) const;
@@ -123,13 +123,13 @@ class Section {
     /// An array of arrays of `width` numbers, such as the corners of a polygon.
     std::vector<std::vector<double>> rows(const std::string& key, const char* says,
                                           std::size_t width, std::size_t least_count = 1) const;
-    /// An array of values of any kind, as JSON; with a `width` above 1 of arrays of that many. At
-    /// least one, or a mistake.
+    /// An array of values of any kind, as JSON; with a `width` above 1 of arrays of that length.
+    /// Must not be empty.
     std::vector<std::vector<std::string>> values(const std::string& key, const char* says,
                                                  std::size_t width) const;
     /// A table; an empty one where it is absent.
     Section section(const std::string& key, const char* says) const;
-    /// The same, its absence a mistake: that of the keys in it is none then.
+    /// The same, required: if absent, its keys are not reported as missing.
     Section required_section(const std::string& key, const char* says) const;
     /// An array of tables ([[key]] or key = [{...}, {...}]); empty where absent.
     std::vector<Section> sections(const std::string& key, const char* says) const;
@@ -138,7 +138,7 @@ class Section {
 
     /// "file:line:column: path.to.key" of a key, or of the table itself for "".
     std::string where(const std::string& key = "") const;
-    /// Whether a mistake in it has been reported, so that what follows from it is none.
+    /// Whether a mistake in it has been reported, so that consequences are not reported too.
     bool has_mistakes() const;
     /// Notes a mistake the caller found.
     void mistake(const std::string& key, const std::string& problem,
@@ -148,10 +148,10 @@ class Section {
     friend class Document;
     Section(std::shared_ptr<DocumentState> state, const void* table, std::string path,
             std::string pattern, bool missed = false);
-    /// Tells the document what is asked for, and whether it has it.
+    /// Records in the document that the key is read, and returns whether it is present.
     bool ask(const std::string& key, const char* says, Key::Kind kind, Key more = {}) const;
     void missing(const std::string& key, const std::string& expected) const;
-    /// The value of a key if it fits, else what stands in for it.
+    /// The value of a key if it is valid, else the fallback.
     double checked_number(const std::string& key, double fallback, Range range) const;
     std::string checked_text(const std::string& key, const std::string& fallback) const;
     std::string checked_name(const std::string& key, const std::string& fallback,
@@ -165,7 +165,7 @@ class Section {
     const void* table_;    // toml::table, or null where the table is absent
     std::string path_;     // "terrain.rule[0]"
     std::string pattern_;  // "terrain.rule[]"
-    bool missed_;          // absent and noted as such: what it lacks is no further mistake
+    bool missed_;          // absent and reported as such: its keys are not reported
 };
 
 template <class T>

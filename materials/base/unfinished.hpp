@@ -11,23 +11,23 @@
 
 namespace diurna {
 
-/// A file that is being written, under a name beside its own that nobody can guess. It takes its
-/// own name when it is whole; before, whatever ends it, there is nothing of it: not where its
-/// writer fails, and not at an interrupt (`remove_unfinished_at_signals`).
+/// A file being written, under an unpredictable temporary name beside its final name. It gets the
+/// final name when it is complete; otherwise it is removed, both when its writer fails and at an
+/// interrupt (`remove_unfinished_at_signals`).
 class UnfinishedFile {
  public:
-    /// Makes it, empty. Throws std::runtime_error with path and reason.
+    /// Creates it, empty. Throws std::runtime_error with path and reason.
     explicit UnfinishedFile(const std::filesystem::path& target);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
     UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
-    /// For another program that writes it.
+    /// For another program that writes the file.
     const std::filesystem::path& path() const { return path_; }
     void write(std::span<const std::byte> bytes);
-    /// Flushed to disk, renamed, and the folder's entry flushed.
+    /// Flushes it to disk, renames it, and flushes the folder's entry.
     void finish();
-    /// Renamed, flushed whenever the system does: for what can be reported to be torn, and
+    /// Renames it without flushing: for files whose damage is detected later and that can be
     /// regenerated.
     void rename();
 
@@ -39,21 +39,21 @@ class UnfinishedFile {
     int slot_ = -1;
 };
 
-/// A name beside a file that nobody can guess, for it while it is unfinished.
+/// An unpredictable temporary name beside a file, used while it is unfinished.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// Whether a file's name is one that unfinished files have: ".NAME.PROCESS.RANDOM.part".
 bool is_temporary_name(const std::string& name);
 
-/// Whether it has such a name, of a process that lives no more.
+/// Whether it has such a name, from a process that no longer runs.
 bool is_left_over(const std::filesystem::path& file);
 
-/// A new folder for what lasts no longer than the program's use of it. Goes with its contents where
-/// the object ends, and with the files in it (not with folders in it) at a signal that ends the
-/// program.
+/// A new temporary folder. It is removed with its contents when the object is
+/// destroyed, and its files (not folders inside it) are removed at a signal that ends
+/// the program.
 class TemporaryFolder {
  public:
-    /// Made where the system keeps temporary files, as NAME-XXXXXX. Throws std::runtime_error.
+    /// Created in the system's temporary folder as NAME-XXXXXX. Throws std::runtime_error.
     explicit TemporaryFolder(const std::string& name);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -65,20 +65,20 @@ class TemporaryFolder {
     int slot_ = -1;
 };
 
-/// Where the program has to end at once: writes the line to stderr, removes what is unfinished,
-/// ends child processes and leaves with 1. Neither locks nor allocates.
+/// Ends the program immediately: writes the line to stderr, removes unfinished files, kills child
+/// processes and exits with 1. Neither locks nor allocates.
 [[noreturn]] void end_at_once(std::string_view line);
 
-/// Signals that end the program unless it was started without them (nohup).
+/// Signals that end the program unless it was started with them ignored (nohup).
 inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
 
-/// From here on these remove what is unfinished and end child processes, and then the program as
-/// they do by themselves (128 + number to a shell). One that the program was started without
-/// (nohup) stays ignored.
+/// From this call on, these signals remove unfinished files, kill child processes and then end the
+/// program as they do by default (128 + number to a shell). A signal that the program was started
+/// with ignored (nohup) stays ignored.
 void remove_unfinished_at_signals();
 
-/// A process group that is killed where a signal ends the program. Returns its place, for
-/// no_longer_end(); -1 where there is no place for more.
+/// Registers a process group that is killed when a signal ends the program. Returns its index, for
+/// no_longer_end(); -1 if the list is full.
 int end_with_program(pid_t group);
 void no_longer_end(int place);
 

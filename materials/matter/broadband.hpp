@@ -8,7 +8,7 @@ namespace diurna {
 /// `temperature` [K].
 double solar_mean(const Spectrum& s);
 double planck_mean(const Spectrum& s, double temperature = 300.0);
-/// Share of the sun at the ground between two wavelengths [µm].
+/// Share of the ground-level solar spectrum between two wavelengths [µm].
 double solar_share(double from_um, double to_um);
 
 }  // namespace diurna

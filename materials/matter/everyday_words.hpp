@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// What people call some of the library's materials: (word, its name here). "tarmac" is "asphalt".
+/// Everyday names of some of the library's materials: (word, name here). "tarmac" is "asphalt".
 const std::map<std::string, std::string>& everyday_words();
 
 }  // namespace diurna

@@ -16,7 +16,7 @@ class MaterialLibrary {
     const Material& operator[](MaterialId id) const;
     std::size_t size() const { return materials_.size(); }
     std::vector<std::string> names() const;
-    /// Throws InputError("where", ...) with the nearest name if there is none of that name.
+    /// Throws InputError("where", ...) with the nearest name if no material has that name.
     MaterialId find(const std::string& name, const std::string& where = "material") const;
     /// Adds a material (a scene's own) or replaces the one of that name.
     MaterialId add(Material material);

@@ -7,34 +7,34 @@
 
 namespace diurna {
 
-/// The text of a library file about one material, comments and all.
+/// The text of a library file about one material, comments included.
 struct MaterialNote {
     std::string name;
     std::string what;                // the comment beside its name
-    std::string like;                // the material it starts from; empty: none
-    std::vector<std::string> lines;  // below its name, as they stand
+    std::string like;                // the material it starts from; "" without one
+    std::vector<std::string> lines;  // below its name, unchanged
 };
 
-/// A tag that comments use for a source, and what it stands for.
+/// A tag for a source in comments, and its full text.
 struct SourceNote {
     std::string tag;  // "W93"
     std::string text;
 };
 
-/// What a library file says in its comments: where its numbers come from.
+/// The comments of a library file: the sources of its numbers.
 struct LibraryNotes {
     std::vector<MaterialNote> materials;  // in the file's order
     std::vector<SourceNote> sources;
 
-    /// Null: the file has none of that name.
+    /// Null if the file has no material of that name.
     const MaterialNote* find(std::string_view name) const;
 };
 
-/// Of a library file: materials begin with "[name]  # what it is"; sources stand in its head as
-/// "#   TAG  text", what continues them indented further. Throws InputError if it cannot be read.
+/// Of a library file: materials begin with "[name]  # what it is"; sources are in its head as "#
+/// TAG  text", with continuation lines indented further. Throws InputError if it cannot be read.
 LibraryNotes library_notes(const std::filesystem::path& file);
 
-/// Whether a text names a tag as a word of its own.
+/// Whether a text contains a tag as a separate word.
 bool names_source(std::string_view text, std::string_view tag);
 
 /// Lines of a note that give a number without a comment on the line, above it within its array or

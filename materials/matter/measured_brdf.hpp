@@ -7,13 +7,13 @@
 
 namespace diurna {
 
-/// The BRDF f of an isotropic surface as a table [sr⁻¹], of no wavelength: a material's spectrum
-/// says how much it sends back at 10°, the table how that goes over the angles. Linear between the
-/// nodes, constant beyond them.
+/// The BRDF f of an isotropic surface as a table [sr⁻¹], the same at all wavelengths: a material's
+/// spectrum gives the reflectance at 10°, the table its angular distribution. Linear between the
+/// nodes, constant outside.
 struct MeasuredBrdf {
-    /// What the axes are [deg].
+    /// Meaning of the axes [deg].
     enum class Axes {
-        directions,  // of the light and of the eye from the normal, and between their azimuths:
+        directions,  // of light and eye from the normal, and between their azimuths:
                      // 0 on the same side, 180 mirrored
         half_vector  // Rusinkiewicz 1998: of the half vector from the normal, of the light from the
                      // half vector, and about it, 0 to 180
@@ -28,16 +28,16 @@ struct MeasuredBrdf {
 /// f [sr⁻¹] between two unit vectors above a surface whose normal is z.
 double brdf(const MeasuredBrdf& table, const Eigen::Vector3d& eye, const Eigen::Vector3d& light);
 
-/// ∫ f cosθ dω over the lights for an eye at a cosine, by midpoints over half vectors, which crowd
-/// at the normal: lobes of 0.5° and more within 0.5 %, smooth surfaces within 0.1 %.
+/// ∫ f cosθ dω over the lights for an eye at a cosine, by midpoints over half vectors, denser near
+/// the normal: lobes of 0.5° and more within 0.5 %, smooth surfaces within 0.1 %.
 double directional_hemispherical(const MeasuredBrdf& table, double cosine);
 
 /// The finish of a table: its directional-hemispherical reflectances over that at 10°, with the
-/// table itself. Sets at_ten and mean.
+/// table. Sets at_ten and mean.
 ByAngle finish_of(MeasuredBrdf table);
 
-/// By how much f is more than what the factors alone make of it, ρ g(eye) g(light) / π ḡ: 1 without
-/// a measured table.
+/// Ratio of f to the value from the factors alone, ρ g(eye) g(light) / π ḡ: 1 without a measured
+/// table.
 double measured_lobe(const Finish& finish, const Eigen::Vector3d& normal,
                      const Eigen::Vector3d& eye, const Eigen::Vector3d& light);
 

@@ -4,16 +4,16 @@
 
 namespace diurna {
 
-/// A net: strips of a material over a share of it (Material::cover), the rest open. What it sends
-/// back and lets through are cover ρ and 1 − cover + cover τ of its strips. The heat balance stays
-/// that of the strips: a net is less of them, and mass, air, sun and longwave go by their area
-/// alike.
+/// A net: strips of a material over a share of it (Material::cover), the rest open. Its
+/// reflectance is cover ρ and its transmittance 1 − cover + cover τ of its strips. The heat
+/// balance is that of the strips: mass and exchange with air, sun and longwave are all
+/// proportional to their area.
 
-/// Makes a net of strips.
+/// Changes a strip material into a net.
 void open_up(double cover, Material& strips);
 
-/// The spectra of a net's strips in place of the net's, or of what is none as they are: the inverse
-/// of open_up(). Of a net that covers nothing nobody knows them; they stay what they are.
+/// Replaces a net's spectra by those of its strips: the inverse of open_up(). Other materials are
+/// unchanged, and so is a net with zero cover, whose strips' spectra are unknown.
 void take_strips(Material& net);
 
 }  // namespace diurna

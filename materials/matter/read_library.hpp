@@ -12,10 +12,10 @@ namespace diurna {
 /// global) and emissivity (weighted by Planck at 300 K) are computed from the spectra. Every
 /// mistake carries file:line:column. See materials/library.toml.
 MaterialLibrary load_material_library(const std::filesystem::path& file);
-/// The same of a document, which is finished.
+/// The same for a document, for which it calls finish().
 MaterialLibrary read_material_library(const Document& document);
 
-/// The library that comes with the program: data_folder() / "library.toml". Read once.
+/// The library delivered with the program: data_folder() / "library.toml". Read once.
 MaterialLibrary default_material_library();
 
 }  // namespace diurna

@@ -7,22 +7,22 @@
 
 namespace diurna {
 
-/// Reflectance of a material of which only the means are known: `albedo` below 4 µm, 1 − emissivity
-/// above, over 0.2 to 100 µm.
+/// Reflectance of a material from its means only: `albedo` below 4 µm, 1 − emissivity above, over
+/// 0.2 to 100 µm.
 Spectrum two_step_reflectance(double albedo, double emissivity);
 
-/// Throws InputError where a spectrum of a file holds no wavelength below 20 µm: one in nm.
+/// Throws InputError if a file's spectrum has no wavelength below 20 µm: probably in nm.
 void check_micrometres(const Spectrum& s, const std::filesystem::path& file);
 
-/// The keys of a material's spectra: from files, from `albedo` and `emissivity` alone, or both:
-/// then the files give the shape and the numbers the means. Mistakes are noted. Where the files
-/// leave out more than a tenth of the sun at the ground, or end short of 12 µm, the means that were
-/// not given count as guesses.
+/// The keys of a material's spectra: from files, from `albedo` and `emissivity` alone, or from
+/// both: then the files give the shape and the numbers the means. Mistakes are noted. If the files
+/// omit more than a tenth of the sun at the ground, or end before 12 µm, means that were not given
+/// are marked as guesses.
 ///
 /// The means are those near the normal, unless given; without reflectance, transmittance or finish
-/// in the section they stay what they were.
+/// in the section they are unchanged.
 ///
-/// fresh   the material starts from no other: it needs a file or both numbers
+/// fresh   the material starts from no other material: a file or both numbers are required
 void read_optics(const Section& section, bool fresh, Material& material);
 
 }  // namespace diurna

@@ -6,14 +6,14 @@ namespace diurna {
 
 /// Spectral reflectance of snow whose mean under the sun at the ground is `albedo`, 0 to 1.
 ///
-/// Between the library's snow_fine, snow_medium and snow_coarse (grains of 0.05, 0.2, 1 mm;
-/// Wiscombe and Warren 1980; albedo 0.84, 0.78, 0.68) on the straight line of the two that enclose
-/// it: grains grow as snow ages. Darker than the coarse, whose dirt then reports (Warren & Wiscombe
-/// 1980), or brighter than the fine, it is moved in sunlight towards black or white as
-/// with_albedo() does.
+/// Interpolated linearly between the two of the library's snow_fine, snow_medium and snow_coarse
+/// (grains of 0.05, 0.2, 1 mm; Wiscombe and Warren 1980; albedo 0.84, 0.78, 0.68) that enclose
+/// it: grains grow as snow ages. Snow darker than the coarse one (with dirt: Warren & Wiscombe
+/// 1980) or brighter than the fine one is moved in sunlight towards black or white as in
+/// with_albedo().
 Spectrum snow_reflectance(double albedo);
 
-/// (1 − share) a + share b, on the points of both; where one has no value it counts as its end.
+/// (1 − share) a + share b, on the points of both; outside its range each counts as its end.
 Spectrum mixed_spectrum(const Spectrum& a, const Spectrum& b, double share);
 
 }  // namespace diurna

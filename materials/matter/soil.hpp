@@ -7,9 +7,9 @@
 
 namespace diurna {
 
-/// A mineral or organic ground and the water in its pores, for Côté and Konrad's model (2005, Can.
-/// Geotech. J. 42, 443): k = (k_sat − k_dry) K_e + k_dry, k_dry = χ 10^(−η n),
-/// K_e = κ S / (1 + (κ − 1) S), k_sat = k_grains^(1−n) k_water^n (k_ice^n frozen).
+/// Mineral or organic ground with water in its pores, for Côté and Konrad's model (2005, Can.
+/// Geotech. J. 42, 443): k = (k_sat − k_dry) K_e + k_dry, k_dry = χ 10^(−η n), K_e = κ S / (1 + (κ
+/// − 1) S), k_sat = k_grains^(1−n) k_water^n (k_ice^n frozen).
 /// Within 0.1 to 0.25 W/mK of measurements from dry to saturated.
 struct Soil {
     double porosity = 0.47;              // n, 0 to 0.95
@@ -21,13 +21,13 @@ struct Soil {
     double kappa = 1.9, kappa_frozen = 0.85;
 };
 
-/// "gravel" (crushed rock too), "sand", "loam" (silt and clay too), "peat": Côté and Konrad's
-/// classes.
+/// Côté and Konrad's classes: "gravel" (also crushed rock), "sand", "loam" (also silt and clay),
+/// "peat".
 Soil soil_named(const std::string& name);
 std::vector<std::string> soil_names();
 
 double soil_conductivity(const Soil& soil, bool frozen);  // [W m⁻¹ K⁻¹]
-/// A layer of it; where it holds water, that freezes at 273.15 K (Freezing).
+/// A layer of this soil; its water, if any, freezes at 273.15 K (Freezing).
 Layer soil_layer(const Soil& soil, double thickness);
 
 /// Regolith of the moon's surface after Hayne et al. (2017, J. Geophys. Res. Planets 122, 2371),

@@ -8,9 +8,9 @@
 
 namespace diurna {
 
-/// What a reader should know of a material whose spectra end short of what they are used for, a
-/// line each: an albedo or emissivity that is a guess, a band that reaches past their ends
-/// or past those of the table of n and k.
+/// Notes for the report on a material whose spectra do not cover the wavelengths used, one line
+/// each: an albedo or emissivity that is a guess, a band that extends beyond the spectra or beyond
+/// the table of n and k.
 std::vector<std::string> spectrum_notes(const Material& material, const std::vector<Band>& bands);
 
 }  // namespace diurna

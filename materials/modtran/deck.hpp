@@ -8,14 +8,14 @@
 
 namespace diurna {
 
-/// One run of MODTRAN: what of a scene its input needs. Values are checked when it is written.
+/// One run of MODTRAN: its inputs from a scene. Values are checked when it is written.
 struct ModtranDeck {
     enum class Emission { thermal = 1, thermal_and_sun = 2 };
     enum class PathType { level = 1, between_heights = 2, to_space = 3 };
 
     Emission emission = Emission::thermal;
     bool multiple_scattering = false;
-    std::string model = "US76";                     // AFGL name; a profile below takes its place
+    std::string model = "US76";                     // AFGL name; replaced by a profile below
     std::optional<Profile> profile = std::nullopt;  // radiosonde or the scene's air
     std::string aerosol = "rural";  // none, rural, maritime, urban, tropospheric, fog_*, desert
     double visibility_km = 23.0;    // 0.1 to 300

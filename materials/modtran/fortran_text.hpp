@@ -9,22 +9,22 @@
 /// Texts of fixed columns as Fortran prints them.
 namespace diurna {
 
-/// A number: "1.2345E-03", "1.2345D-03", "1.0000-100". False for blanks inside, stars, NaN and
+/// A number: "1.2345E-03", "1.2345D-03", "1.0000-100". False for inner blanks, stars, NaN and
 /// anything else.
 bool parse_fortran(std::string_view text, double& value);
 
-/// Without the blanks at its ends.
+/// The text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
-/// Columns [first, end) of a line; shorter lines count as blank.
+/// Columns [first, end) of a line; shorter lines are padded with blanks.
 std::string_view field(std::string_view line, std::size_t first, std::size_t end);
 
-/// The lines of a text (LF or CRLF) one after the other, and the place of each in its file.
+/// Reads the lines of a text (LF or CRLF) in order, with the position of each in its file.
 struct LineReader {
     LineReader(const std::filesystem::path& file, std::string_view text);
 
     const std::filesystem::path& file;
     std::vector<std::string_view> line;
-    std::size_t at = 0;  // the next one
+    std::size_t at = 0;  // the next line
 
     bool done() const { return at >= line.size(); }
     /// The next line. Throws InputError where the text ends, naming what was `expected`.
@@ -32,7 +32,7 @@ struct LineReader {
     /// "file:line:column" of a column of the line last read, from 0.
     std::string where(std::size_t column) const;
 
-    /// The number in columns [first, end) of the line last read. Throws InputError for anything
+    /// The number in columns [first, end) of the last line read. Throws InputError for anything
     /// else; a blank is `if_blank`, unless that is NaN.
     double number(std::size_t first, std::size_t end, const char* what, double if_blank) const;
     double number(std::size_t first, std::size_t end, const char* what) const;

@@ -12,7 +12,7 @@
 
 namespace diurna {
 
-/// A MODTRAN 5: a program that reads `tape5` in its working folder and writes `tape7` there.
+/// A MODTRAN 5 program, which reads `tape5` in its working folder and writes `tape7` there.
 ///
 /// executable  absolute path, from the command line or DIURNA_MODTRAN; never from a scene file
 struct ModtranRunner {
@@ -22,19 +22,19 @@ struct ModtranRunner {
     std::uintmax_t output_limit = 512u << 20;  // bytes, all files of its folder together
 };
 
-/// From the command line's word, else the environment's DIURNA_MODTRAN; nothing if neither names
-/// one. Throws InputError for a name that is not the absolute path of an executable file.
+/// From the command line, else the environment's DIURNA_MODTRAN; nothing if neither is set. Throws
+/// InputError for a name that is not the absolute path of an executable file.
 std::optional<ModtranRunner> modtran_runner(const std::string& command_line_word);
 
 /// Runs the program on a tape5 in a new temporary folder that is removed afterwards: no shell, its
-/// own process group, standard input empty, standard output dropped, an environment of PATH, LANG
-/// and MODTRAN_DATA alone. Returns the text of its tape7.
+/// own process group, empty standard input, discarded standard output, an environment of only PATH,
+/// LANG and MODTRAN_DATA. Returns the text of its tape7.
 /// Throws std::runtime_error if it fails, takes longer or writes more than allowed (it and its
 /// children are then killed), or leaves no result.
 std::string run_modtran(const ModtranRunner& runner, const std::string& tape5);
 
-/// Runs the decks as one tape5 and reads what comes back: one run of its tape7 a deck, in order.
-/// Throws std::runtime_error besides if their numbers differ, InputError for a damaged tape7.
+/// Runs the decks as one tape5 and reads the result: one run of its tape7 per deck, in order.
+/// Throws also std::runtime_error if the numbers of runs differ, InputError for a damaged tape7.
 std::vector<Tape7Run> run_decks(const ModtranRunner& runner, const std::vector<ModtranDeck>& decks);
 
 }  // namespace diurna

@@ -14,11 +14,11 @@ struct Tape7Table {
     std::vector<std::vector<double>> value;  // (column)(row); NaN where the file has blanks
 
     bool has(std::string_view column) const;
-    /// Throws InputError with the nearest name if there is none.
+    /// Throws InputError with the nearest name if the column does not exist.
     const std::vector<double>& column(std::string_view column) const;
 };
 
-/// One run of a tape7 of MODTRAN 4 to 6 or LOWTRAN7: what its header echoes and its table.
+/// One run of a tape7 of MODTRAN 4 to 6 or LOWTRAN7: its header's values and its table.
 struct Tape7Run {
     bool lowtran = false;
     int model = 0;
@@ -30,34 +30,34 @@ struct Tape7Run {
     double visibility_km = 0.0;
     std::string model_name;
     double h1_km = 0.0, h2_km = 0.0, zenith_deg = 0.0;
-    double range_km = 0.0;  // slant; of level paths the only geometry, with h1_km, that counts
+    double range_km = 0.0;  // slant; with h1_km the only geometry used for level paths
     double first_per_cm = 0.0, last_per_cm = 0.0, step_per_cm = 0.0, width_per_cm = 0.0;
     Tape7Table table;
 };
 
-/// Files may have 256 MB.
+/// Limit for files: 256 MB.
 inline constexpr std::size_t modtran_file_limit = 256u << 20;
 
 /// All runs of a tape7, .tp7 or .fl7 (IEMSCT 0 to 3, CRLF or LF), cut by column position; of a .7sc
 /// or .scn, which is a tape7 convolved with a slit, by the ends of its headings.
 ///
-/// Names have underscores whatever the version prints; for LOWTRAN7 and convolved runs they are the
-/// tape7's where the meaning is the same (TOT_TRANS, PTH_THRML, SOL_SCAT, SING_SCAT, GRND_RFLT,
-/// DRCT_RFLT, TOTAL_RAD). A convolved table over µm is turned to wavenumbers; one over nm, whose
-/// radiances have another unit, is refused.
+/// Names have underscores for every version; for LOWTRAN7 and convolved runs they are the tape7's
+/// where the meaning is the same (TOT_TRANS, PTH_THRML, SOL_SCAT, SING_SCAT, GRND_RFLT, DRCT_RFLT,
+/// TOTAL_RAD). A convolved table over µm is converted to wavenumbers; one over nm, whose radiances
+/// have another unit, is refused.
 ///
-/// Throws InputError with file:line:column for a file without its end mark, text where a number
-/// belongs, NaN, values that straddle columns, wavenumbers that do not ascend, or blanks where none
-/// may be.
+/// Throws InputError with file:line:column for a file without its end mark, text in place of a
+/// number, NaN, values across column borders, wavenumbers that do not ascend, or blanks in required
+/// fields.
 std::vector<Tape7Run> read_tape7(const std::filesystem::path& file);
-/// The same of a tape7 at hand; `file` names it in messages.
+/// The same for a tape7 in memory; `file` names it in messages.
 std::vector<Tape7Run> read_tape7_text(const std::filesystem::path& file, const std::string& text);
 
 /// A run's spectra in this program's units, ascending in wavelength.
 struct Tape7Spectra {
     std::vector<double> wavelength_um;
     std::vector<double> transmittance;
-    std::vector<double> thermal;  // [W m⁻² sr⁻¹ µm⁻¹] of the air; zero if the run has none
+    std::vector<double> thermal;    // [W m⁻² sr⁻¹ µm⁻¹] of the air; zero if absent
     std::vector<double> scattered;  // of the sun, by the air
 };
 Tape7Spectra spectra_of(const Tape7Run& run);

@@ -11,9 +11,9 @@ namespace diurna {
 
 /// An instrument's band and its quadrature: ∫ response(λ) f(λ) dλ ≈ Σ weight[i] f(node_um[i]).
 ///
-/// The nodes are Gauss-Legendre points within every piece between breakpoints (those of the
-/// response and those handed in, such as the edges of the atmosphere's bins), so functions that are
-/// constant per bin times smooth ones (Planck) are integrated to better than 1e-7 of the value.
+/// The nodes are Gauss-Legendre points in every piece between breakpoints (those of the response
+/// and those given, such as the edges of the atmosphere's bins), so the product of a function that
+/// is constant per bin and a smooth one (Planck) is integrated to 1e-7 of its value or better.
 struct Band {
     std::string name;             // "3-5"; part of plane and file names
     Spectrum response;            // 0 to 1
@@ -38,8 +38,8 @@ Band response_band(std::string name, Spectrum response, std::span<const double> 
 /// column.
 Spectrum read_response(const std::filesystem::path& path);
 
-/// `count` bands side by side, of flat response and equal width from `from_um` to `to_um`: the
-/// channels of a hyperspectral cube. Named by their middle, "8.025um".
+/// `count` adjacent bands of flat response and equal width from `from_um` to `to_um`: the channels
+/// of a hyperspectral cube. Named by their middle, "8.025um".
 std::vector<Band> channel_bands(double from_um, double to_um, int count,
                                 std::span<const double> breakpoints_um = {});
 

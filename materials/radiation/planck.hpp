@@ -27,7 +27,7 @@ double planck_derivative(double wavelength_um, double temperature);
 double band_radiance(const Band& band, double temperature);
 double band_radiance_derivative(const Band& band, double temperature);
 
-/// The temperature [K] of the black body whose band radiance is `radiance`: the exact inverse of
+/// The temperature [K] of the black body whose band radiance is `radiance`: the inverse of
 /// `band_radiance`, by bracketed Newton, to 1e-9 K. 0 K for a radiance of zero or less.
 double brightness_temperature(const Band& band, double radiance);
 

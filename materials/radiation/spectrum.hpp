@@ -9,7 +9,7 @@ namespace diurna {
 /// A function of wavelength: linear between its points, zero outside them.
 struct Spectrum {
     std::vector<double> wavelength_um;  // strictly ascending
-    std::vector<double> value;          // same length; unit by context
+    std::vector<double> value;          // same length; unit depends on use
 
     bool empty() const { return value.empty(); }
     double at(double wavelength) const;  // wavelength [µm]
@@ -19,7 +19,7 @@ struct Spectrum {
 double integral(const Spectrum& s);
 double integral(const Spectrum& s, double from_um, double to_um);
 
-/// Mean of `s` weighted by `weight` over the range both cover: ∫ s·w dλ / ∫ w dλ.
+/// Mean of `s` weighted by `weight` over their common range: ∫ s·w dλ / ∫ w dλ.
 /// The product of two linear pieces is integrated exactly (Simpson on the union of the grids).
 double weighted_mean(const Spectrum& s, const Spectrum& weight);
 

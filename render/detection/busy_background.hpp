@@ -12,25 +12,25 @@ struct PlaneView {
     int width = 0, height = 0;
 };
 
-/// How busy a background is, cell by cell. Cells tile the picture from its top left; those with a
-/// pixel that is skipped, or a value that is not finite, do not count, nor what is over at the
-/// right and below.
+/// Clutter of a background, cell by cell. Cells tile the picture from its top left; cells with a
+/// skipped pixel, or a value that is not finite, do not count, and neither does the remainder at
+/// the right and bottom edges.
 struct CellClutter {
-    double level = 0.0;     // in the plane's unit, or 0 to 1; NaN where no cell counts
+    double level = 0.0;     // in the plane's unit, or 0 to 1; NaN if no cell counts
     std::size_t cells = 0;  // that count
 };
 
 /// Root mean square over cells of the standard deviation in each (Schmieder and Weathersby 1983,
 /// IEEE Trans. Aerosp. Electron. Syst. 19, 622): cells of twice the target's size.
 ///
-/// - left_out: (pixel) not zero: the target's
+/// - left_out: (pixel) not zero: part of the target, skipped
 /// - side: [pixels] of a cell, at least 1
 CellClutter cell_clutter(const PlaneView& plane, std::span<const std::uint8_t> left_out, int side);
 
-/// Root mean square over cells as large as the target's box of how like it each is, by the
-/// structural similarity of Wang and others 2004 (IEEE Trans. Image Process. 13, 600; c1 = (0.01
-/// R)², c2 = (0.03 R)², R the plane's span of values): 0 unlike, 1 the same. As a measure of what a
-/// target is mistaken for after Chang and Zhang 2006 (IEEE Trans. Aerosp. Electron. Syst. 42, 361).
+/// Root mean square, over cells as large as the target's box, of the similarity between cell and
+/// target: the structural similarity of Wang and others 2004 (IEEE Trans. Image Process. 13, 600;
+/// c1 = (0.01 R)², c2 = (0.03 R)², R the plane's span of values): 0 unlike, 1 the same. Clutter
+/// measure of Chang and Zhang 2006 (IEEE Trans. Aerosp. Electron. Syst. 42, 361).
 ///
 /// - left, top, width, height: [pixels] of the target's box
 CellClutter similar_clutter(const PlaneView& plane, std::span<const std::uint8_t> left_out,
@@ -42,7 +42,7 @@ double entropy_bits(std::span<const float> value, std::span<const std::uint8_t> 
                     double step);
 
 /// Magnitude of the gradient [unit/pixel] by Sobel's operator (its weights over 8), mean over
-/// pixels within the picture's rim that count; NaN where none does.
+/// counted pixels that are not at the picture's border; NaN without any.
 double mean_gradient(const PlaneView& plane, std::span<const std::uint8_t> counted);
 
 }  // namespace diurna

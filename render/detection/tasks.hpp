@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// What an observer is to tell of a target, and what half of a group of trained observers needs.
+/// A task of an observer, and the criterion met by half of a group of trained observers.
 struct Task {
     std::string_view name;
     double cycles_across;  // over the target's least dimension: Johnson 1958, as rounded since

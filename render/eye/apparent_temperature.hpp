@@ -9,7 +9,7 @@
 namespace diurna {
 
 /// The inverse of a band's radiance over a range of radiances: T by cubic Hermite with exact
-/// derivatives over cells of equal ratio, found from the number's own bits. Within 0.05 mK of
+/// derivatives over cells of equal ratio, located by the number's bits. Within 0.05 mK of
 /// brightness_temperature() where that is 150 K or more
 /// (tests/render/apparent_temperature_test.cpp).
 class TemperatureScale {
@@ -21,7 +21,7 @@ class TemperatureScale {
 
  private:
     Band band_;
-    int shift_ = 0;            // a cell: radiances alike but for so many last bits
+    int shift_ = 0;            // a cell: radiances that differ only in this many last bits
     std::uint32_t first_ = 0;  // leading bits of the first cell
     std::vector<std::array<double, 4>> cubic_;
 };

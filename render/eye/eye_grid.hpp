@@ -10,25 +10,25 @@
 
 namespace diurna {
 
-/// A grid over range^⅓ and height so fine that its cells may be taken as straight: that of a
-/// PathTable, subdivided.
+/// A grid over range^⅓ and height, fine enough for linear interpolation: that of a PathTable,
+/// subdivided.
 struct EyeGrid {
     std::size_t ranges = 2, heights = 2;
     float root_low = 0.0f, per_root = 0.0f;      // [m^⅓], cells per m^⅓
     float height_low = 0.0f, per_height = 0.0f;  // [m], cells per m
-    double error = 0.0;  // of straight cells [K] of apparent temperature, as given by `surfaces`
+    double error = 0.0;  // of linear cells [K] of apparent temperature, by `surfaces`
 };
-/// - surfaces: (band)(surface) radiance at the eye, (range, height of the path's grid), of surfaces
-///   that stand for the scene's
+/// - surfaces: (band)(surface) radiance at the eye, (range, height of the path's grid), of
+///   representative surfaces
 /// - tolerance: [K]
 EyeGrid eye_grid(const SightGrid& path, double ground_height_km, std::span<const BandLight> bands,
                  std::span<const std::vector<Eigen::MatrixXd>> surfaces, double tolerance);
 
-/// Where a few targets lie on it, one array per number so that they are worked out in vector code.
+/// Grid positions of a few targets, one array per number for vectorised computation.
 struct GridPlaces {
     static constexpr std::size_t most = 64;
-    std::array<std::uint32_t, most> start;  // node of the cell's beginning
-    std::array<float, most> range, height;  // place in the cell, 0 to 1
+    std::array<std::uint32_t, most> start;  // node at the start of the cell
+    std::array<float, most> range, height;  // position in the cell, 0 to 1
     std::array<float, most> per_metre;      // cells per metre of range
 };
 /// range [m], its cube root, and height [m] of up to `most` targets

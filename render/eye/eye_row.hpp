@@ -10,8 +10,8 @@
 
 namespace diurna {
 
-/// What describes a facet at the eye, whatever its material: a row of numbers to be multiplied with
-/// a row of an EyeTable.
+/// Description of a facet at the eye that does not depend on its material: a row of numbers to be
+/// multiplied by a row of an EyeTable.
 ///
 ///     thermal modes   black body at its temperature
 ///     light modes     light that arrives from the facets around
@@ -26,7 +26,7 @@ struct EyeRow {
     std::size_t width() const { return rounded_up(one() + 1); }
 
     /// - black, arriving: in the modes of the band
-    /// - sky_modes: what the facet has of each
+    /// - sky_modes: the facet's share of each
     /// - up: weights of the three heights
     void fill(const float* black, const float* arriving, const float* sky_modes, float sunlight,
               const std::array<float, 3>& up, float* out) const {
@@ -37,8 +37,8 @@ struct EyeRow {
         out[one()] = 1.0f;
     }
 
-    /// Of a surface at a temperature, under half a sky and among surroundings as warm, in the sun
-    /// or in the shade.
+    /// For a surface at a temperature, under half a sky and among surroundings at the same
+    /// temperature, in the sun or in the shade.
     ///
     /// - band_index: of `band` in the tables
     std::vector<float> standing_for(const RadiosityTables& tables, const BandLight& band,

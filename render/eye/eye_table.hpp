@@ -11,7 +11,7 @@
 
 namespace diurna {
 
-/// Which row and which material belong to each of a few targets.
+/// Row and material of each of a few targets.
 struct TargetRows {
     std::array<std::uint32_t, GridPlaces::most> slot;
     std::array<MaterialId, GridPlaces::most> material;
@@ -22,21 +22,21 @@ struct AtEye {
     float value = 0.0f, by_range = 0.0f, by_height = 0.0f;
 };
 
-/// The radiance at the eye in a band as one dot product a target: what each number of an EyeRow is
-/// worth at the eye, per material and place in range and height. Surface, air and response are
-/// multiplied at the band's nodes, where they belong together.
+/// The radiance at the eye in a band as one dot product per target: the contribution of each number
+/// of an EyeRow at the eye, per material and position in range and height. Surface, air and
+/// response are multiplied at the band's nodes.
 class EyeTable {
  public:
     /// At the nodes of a PathTable.
     ///
     /// - band_index: of `band` in the PathTable
-    /// - terms: that are in it
+    /// - terms: the terms included
     EyeTable(const PathTable& path, std::size_t band_index, const BandLight& band,
              const TermSet& terms = all_terms);
 
-    /// Radiance at those nodes of a row, for each material: (range, height).
+    /// Radiance of a row at those nodes, for each material: (range, height).
     std::vector<Eigen::MatrixXd> radiance_of(std::span<const float> row) const;
-    /// Carries the table over to a finer grid.
+    /// Interpolates the table to a finer grid.
     void refine(const EyeGrid& grid);
 
     /// Radiance at the eye of a few targets, `stride` apart; only after refine().
@@ -51,8 +51,8 @@ class EyeTable {
     std::vector<std::vector<float>> table_;  // (material)(range, height, number)
 };
 
-/// What the numbers of an EyeRow are worth where light leaves a surface of such optics, before the
-/// air: (number).
+/// Contributions of the numbers of an EyeRow to the radiance leaving a surface of such optics,
+/// without the air: (number).
 std::vector<double> worth_on_leaving(const BandLight& band, const NodeOptics& optics,
                                      const TermSet& terms);
 

@@ -11,13 +11,13 @@
 
 namespace diurna {
 
-/// Eye tables side by side, on one grid: one column a band, or one for each term of each band,
-/// those of a band after each other.
+/// Eye tables in parallel, on one grid: one column per band, or one for each term of each band,
+/// consecutive for each band.
 class EyeTables {
  public:
     struct Options {
         bool by_term = false;
-        double tolerance = 1e-3;  // [K] of apparent temperature, of the grid's straight cells
+        double tolerance = 1e-3;  // [K] of apparent temperature, of linear interpolation
     };
     /// - path: of the bands of `light`
     EyeTables(const PathTable& path, const SceneLight& light, const Options& options);
@@ -28,10 +28,10 @@ class EyeTables {
 
     /// Radiance at the eye of every target of a view, (target, column).
     void look(const View& view, const SceneLight& light, std::span<AtEye> out) const;
-    /// What the whole sun on some targets of a view adds to that, (target chosen, column).
+    /// Contribution of the whole sun on some targets of a view, (target chosen, column).
     void look_at_sun(const View& view, const SceneLight& light,
                      std::span<const std::uint32_t> targets, std::span<AtEye> out) const;
-    /// What they send more of themselves when they are warmer by so many kelvins.
+    /// Additional emission of targets that are warmer by given amounts.
     ///
     /// - warmer: (target chosen) [K]; targets may be chosen several times
     void look_at_warmth(const View& view, const SceneLight& light,
@@ -42,7 +42,7 @@ class EyeTables {
     void look(const View& view, const SceneLight& light, std::size_t begin, std::size_t end,
               std::span<AtEye> out) const;
 
-    /// - fill: (band, target chosen, row of zeros) puts in what is looked for
+    /// - fill: (band, target chosen, row of zeros) writes the input
     using Fill = std::function<void(std::size_t b, std::size_t k, float* row)>;
     void look_at(const View& view, const SceneLight& light, std::span<const std::uint32_t> targets,
                  const Fill& fill, std::span<AtEye> out) const;

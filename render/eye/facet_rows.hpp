@@ -16,7 +16,7 @@ class FacetRows {
 
     std::span<const EyeRow> layout() const { return layout_; }  // (band)
     /// - lit: index into LitFacets
-    /// - out: (band) where to begin, room for layout()[b].width() numbers
+    /// - out: (band) destination, with room for layout()[b].width() numbers
     void fill(std::uint32_t lit, std::span<float* const> out);
 
  private:

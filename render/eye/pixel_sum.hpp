@@ -9,12 +9,12 @@
 
 namespace diurna {
 
-/// Sums of a pixel's sightings, of several bands or terms (columns) at a time.
+/// Weighted sums over a pixel's visible facets, for several bands or terms (columns) at a time.
 ///
 /// - eye: (target, column)
-/// - background: (column) what is seen where the scene ends; null: nothing
-/// - azimuth_deg: of the optical axis, counted from the sun's
-/// - planes: (column)(pixel), written
+/// - background: (column) radiance where the scene ends; null: none
+/// - azimuth_deg: of the optical axis, relative to the sun's
+/// - planes: (column)(pixel), output
 void sum_pixels(const View& view, std::span<const AtEye> eye,
                 std::span<const BackgroundTable* const> background, double azimuth_deg,
                 std::span<std::vector<float>> planes);

@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-/// Adds what is at the pixels' centres: temperature, range, facet, object, material, normal. On a
-/// textured facet the temperature is the one whose fourth power is the mean of its two surfaces',
-/// by shares, and the material the one of the larger share.
+/// Adds the values at the pixels' centres: temperature, range, facet, object, material, normal. On
+/// a textured facet the temperature is the fourth root of the weighted mean of T⁴ of its two
+/// levels, and the material that of the larger share.
 ///
-/// - sun: how much warmer pixels are than their facets' mean; null: not at all
+/// - sun: temperature differences of pixels from their facets' mean; null: none
 void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun, Frame& frame);
 
 }  // namespace diurna

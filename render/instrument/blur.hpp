@@ -17,31 +17,31 @@ class SystemMtf {
  public:
     SystemMtf(const Instrument& instrument, const Band& band, double focal_length);
     double operator()(double right, double down) const;
-    /// Above it the lens lets nothing through [1/m]; infinite without diffraction.
+    /// Cut-off frequency of the lens [1/m]; infinite without diffraction.
     double cut_off() const { return cut_off_; }
 
  private:
     double lens_at(double frequency) const;
 
-    std::vector<double> lens_;  // of round parts, over frequency in even steps
+    std::vector<double> lens_;  // of rotationally symmetric parts, in even steps
     double step_ = 1.0, cut_off_ = 0.0;
     double jitter_ = 0.0, diffusion_ = 0.0, width_ = 0.0;  // [m]
     double drift_right_ = 0.0, drift_down_ = 0.0;          // [m]
 };
 
-/// How often each way the radiance has to be sampled in a pixel, and why.
+/// Samples per pixel in each direction, and their reason.
 ///
-/// A renderer's samples fold back what is finer than half their rate. What is left of it by the
-/// blur at half the rate of the oversampled picture shall be a twentieth; 2 to 6.
+/// Samples alias frequencies above half their rate. The blur must reduce these to a twentieth at
+/// half the rate of the oversampled picture; 2 to 6.
 struct Oversampling {
     int times = 2;
     std::string why;
 };
 Oversampling oversampling_of(const Instrument& instrument, const SystemMtf& mtf);
 
-/// The one convolution of a radiance sampled `times` a pixel each way in squares side by side: all
-/// of the system's MTF over the sinc of those squares. Result j stands for the middle between
-/// samples j and j + 1 where `times` is even, so that pixels' middles are samples.
+/// The single convolution of a radiance with `times` samples a pixel in each direction, each the
+/// mean of a square: the system's MTF over the sinc of these squares. If `times` is even, result j
+/// is at the middle between samples j and j + 1, so that pixels' centres are samples.
 Convolution system_blur(const SystemMtf& mtf, double pitch, int times, int width, int height);
 
 }  // namespace diurna

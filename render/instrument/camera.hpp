@@ -13,21 +13,21 @@
 
 namespace diurna {
 
-/// An instrument made ready for pictures of one size in one band. Its stages in turn:
+/// An instrument prepared for pictures of one size in one band. Its stages in order:
 ///
 ///     see()    radiance, oversampled -> flux of each pixel    blur, lens, distortion, glare
-///     lag()    (optics.hpp)                                   a bolometer's slowness
+///     lag()    (optics.hpp)                                   a bolometer's time constant
 ///     take()   flux -> signal -> counts                       detector, correction, electronics
 ///     displayed() (display.hpp)                               8 bits
 struct Camera {
     Instrument instrument;
     int width, height;    // [pixels]
     double focal_length;  // [m]
-    Response response;    // as it is, and as it was when the fixed pattern was corrected:
+    Response response;    // at present, and at the correction of the fixed pattern:
     Response corrected_response;
     SystemMtf mtf;
     Oversampling oversampling;
-    int margin;  // pixels beyond each edge that the radiance must have, for blur and distortion
+    int margin;  // pixels beyond each edge needed for blur and distortion
     Convolution blur;
     LensField field, corrected_field;
     Pattern pattern;
@@ -37,8 +37,8 @@ struct Camera {
     int seen_height() const { return (height + 2 * margin) * oversampling.times; }
 };
 
-/// Throws InputError for settings that contradict each other or the band: a NETD below what
-/// counting makes, a lens that folds over, black bodies of a correction that the band hardly sees.
+/// Throws InputError for settings that contradict each other or the band: a NETD below the photon
+/// noise, a lens with distortion that folds over, correction black bodies with almost no signal.
 void check_camera(const Instrument& instrument, const Band& band, int width, int height,
                   double focal_length);
 
@@ -47,32 +47,33 @@ void check_camera(const Instrument& instrument, const Band& band, int width, int
 Camera camera_of(const Instrument& instrument, const Band& band, int width, int height,
                  double focal_length);
 
-/// Flux [signal's unit, of a photon detector per second] that the scene brings to each pixel, as if
-/// it were on the axis.
+/// Flux [signal's unit, of a photon detector per second] from the scene for each pixel, scaled to
+/// the optical axis.
 ///
 /// - radiance: of the scene's band, seen_width() × seen_height(), row by row
 std::vector<float> see(const Camera& camera, std::span<const float> radiance);
 
 /// A picture as taken.
 struct Shot {
-    double integration_time = 0.0;      // [s]; 1 of a bolometer
-    std::vector<float> signal;          // what the scene alone brings, no noise; signal's unit
+    double integration_time = 0.0;      // [s]; 1 for a bolometer
+    std::vector<float> signal;          // from the scene only, without noise; signal's unit
     std::vector<float> measured;        // with background, noise and pattern, after its correction
-    std::vector<std::uint16_t> counts;  // of the electronics' bits
+    std::vector<std::uint16_t> counts;  // limited to the electronics' bits
     std::size_t saturated = 0, dead = 0;  // pixels: full wells; not replaced
 };
 
-/// - frame: number of the picture, seconds since 1970 times the frame rate: of noise
+/// - frame: number of the picture, seconds since 1970 times the frame rate: selects the noise
 /// - hours: since the last correction
 Shot take(const Camera& camera, std::span<const float> flux, std::int64_t frame, double hours);
 
-/// Frame number and hours since the last correction, `seconds` after 1970. Corrections come every
-/// Correction::interval, at a phase of the seed's.
+/// Frame number and hours since the last correction, `seconds` after 1970. Corrections occur every
+/// Correction::interval, with a phase from the seed.
 std::int64_t frame_number(const Instrument& instrument, double seconds);
 double hours_since_correction(const Instrument& instrument, double seconds);
 
-/// Counts of a measured signal before rounding, and back. A photon detector's are proportional to
-/// it; a bolometer's go from nought at the range's lower black body to the greatest at its upper.
+/// Counts of a measured signal before rounding, and back. A photon detector's are
+/// proportional to it; a bolometer's range from zero at the range's lower black body to the
+/// maximum.
 struct CountScale {
     double zero = 0.0, per_signal = 1.0;
     double counts(double signal) const { return zero + per_signal * signal; }
@@ -80,7 +81,7 @@ struct CountScale {
 };
 CountScale count_scale(const Camera& camera);
 
-/// What the settings leave out of the stages, a line each: "jitter: none".
+/// Stages omitted by the settings, a line each: "jitter: none".
 std::vector<std::string> left_out(const Instrument& instrument);
 
 }  // namespace diurna

@@ -6,20 +6,20 @@
 
 namespace diurna {
 
-/// A filter of pictures by spatial frequency, made once for a size.
+/// A filter of pictures by spatial frequency, prepared once for a size.
 ///
-/// The picture goes on beyond its edges as it ends there, and is taken as one tile of many: what
-/// lies within a blur's reach of the edge is not to be used.
+/// The picture is extended beyond its edges with the edge values and treated as periodic: results
+/// within a blur's reach of the edge are not valid.
 class Convolution {
  public:
     /// - transfer: real, of (right, down) in cycles per sample, each −½ to ½
-    /// - shift: of the result [samples]: what stands at j is what was at j + shift
+    /// - shift: of the result [samples]: result j is the filtered value at j + shift
     Convolution(int width, int height, const std::function<double(double, double)>& transfer,
                 double shift = 0.0);
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// Row by row. The same bytes whatever else goes on; may be called from many threads.
+    /// Row by row. Deterministic bytes; may be called from many threads.
     std::vector<float> operator()(std::span<const float> picture) const;
 
  private:

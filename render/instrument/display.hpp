@@ -10,10 +10,10 @@ namespace diurna {
 
 /// Counts as a picture of 8 bits.
 ///
-/// - linear: from the share `low` of the pixels to the share `high`, straight
-/// - plateau: the histogram evened out, no count having more than the share `plateau` of the pixels
-///   in it (Vickers 1996); counts that do not occur take no place
-/// - manual: `span` counts about `level`
+/// - linear: from the share `low` of the pixels to the share `high`, linearly
+/// - plateau: histogram equalisation, with each count limited to the share `plateau` of the pixels
+///   (Vickers 1996); counts that do not occur take no grey levels
+/// - manual: `span` counts around `level`
 std::vector<std::uint8_t> displayed(std::span<const std::uint16_t> counts,
                                     const Electronics& electronics);
 

@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// Random numbers of an instrument: functions of seed, purpose, place and frame alone (hashes of
-/// them), so that a frame has the same noise alone as among others, on any thread.
+/// Random numbers of an instrument: hashes of seed, purpose, place and frame only, so that a frame
+/// has the same noise rendered alone or in a series, on any thread.
 enum class Draw : std::uint64_t {
     pixel = 1,
     shot,
@@ -28,14 +28,14 @@ enum class Draw : std::uint64_t {
 /// Uniform in (0, 1).
 double uniform(std::uint64_t seed, Draw purpose, std::uint64_t place, std::uint64_t frame = 0);
 
-/// Of mean 0 and variance 1 (Box & Muller 1958).
+/// Mean 0 and variance 1 (Box & Muller 1958).
 double normal(std::uint64_t seed, Draw purpose, std::uint64_t place, std::uint64_t frame = 0);
 
-/// Counts of a mean: Poisson's up to 50, the normal law of that mean and variance beyond.
+/// Random count of a given mean: Poisson up to 50, normal with that mean and variance above.
 double counted(double mean, std::uint64_t seed, std::uint64_t place, std::uint64_t frame);
 
-/// 1/f noise of variance 1: sums of numbers that hold for 1, 2, 4, ... 2^11 frames (Voss, after
-/// Gardner 1978); its power falls with frequency to 1/4096 of the frame rate.
+/// 1/f noise of variance 1: sums of numbers that are constant for 1, 2, 4, ... 2^11 frames (Voss,
+/// after Gardner 1978); its power decreases with frequency down to 1/4096 of the frame rate.
 double flicker(std::uint64_t seed, std::uint64_t place, std::uint64_t frame);
 
 }  // namespace diurna

@@ -7,7 +7,7 @@ namespace diurna {
 
 /// Temporal noise of a detector in its signal's unit (electrons, pW), rms.
 struct Noise {
-    double pixel = 0.0;  // of each by itself beside what the light's own counting makes: read, kTC
+    double pixel = 0.0;  // of each pixel, besides photon noise: read, kTC
     double flicker = 0.0;
     double row = 0.0, column = 0.0, frame = 0.0;
 };
@@ -15,21 +15,21 @@ struct Noise {
 /// kTC noise of a node that is reset [electrons]: √(k T C)/e.
 double reset_noise(double temperature, double capacitance);
 
-/// What a unit of Detector's noises is in the signal: an electron, or 1 mK at 300 K.
+/// The unit of Detector's noises in the signal: an electron, or 1 mK at 300 K.
 double noise_unit(const Detector& detector, const Response& response);
 
-/// Where Detector::netd is given, `pixel` makes up all that is lacking to it at 300 K; throws
-/// InputError where counting alone is noisier.
+/// If Detector::netd is given, `pixel` is set to reach it at 300 K; throws InputError if photon
+/// noise alone exceeds it.
 Noise noise_of(const Instrument& instrument, const Response& response);
 
-/// Noise equivalent temperature difference [K] before a black body: a pixel's temporal noise,
-/// counting and the steps of the counts included, over the signal's slope.
+/// Noise equivalent temperature difference [K] for a black body: a pixel's temporal noise, photon
+/// noise and quantisation included, over the signal's slope.
 ///
 /// - step: of the counts in the signal's unit; 0: none
 double netd_at(double temperature, const Instrument& instrument, const Response& response,
                const Noise& noise, double step = 0.0);
 
-/// Signal of a black body on the axis, background and dark current included, in integration_time.
+/// Signal of a black body on the axis in integration_time, background and dark current included.
 double signal_of(double temperature, const Instrument& instrument, const Response& response);
 
 }  // namespace diurna

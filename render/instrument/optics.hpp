@@ -8,26 +8,26 @@
 
 namespace diurna {
 
-/// What a lens does to light from place to place, row by row from the upper left.
+/// Effect of a lens on light by position, row by row from the upper left.
 struct LensField {
-    std::vector<float> light;       // share of the axis' light: cos⁴ and mounts
-    std::vector<float> background;  // flux that comes with no light from the scene
+    std::vector<float> light;       // share of the light on the axis: cos⁴ and mounts
+    std::vector<float> background;  // flux that does not come from the scene
 };
 
-/// cos⁴ of the angle at which a pixel looks, what mounts cut off (they are walls then), the lens'
-/// own emission, the walls beside it, and narcissus: a share of the lens mirrors the cold detector
-/// in place of the walls, exp(−(r/r₀)²) from the middle.
+/// cos⁴ of a pixel's viewing angle, vignetting by mounts (which then emit as walls), the lens' own
+/// emission, the walls beside it, and narcissus: a share of the lens reflects the cold detector
+/// instead of the walls, exp(−(r/r₀)²) from the middle.
 LensField lens_field(const Instrument& instrument, const Response& response, int width, int height,
                      double focal_length);
 
-/// Veiling glare: a share of all light is spread evenly, (1 − share) L + share · mean
-/// (ISO 9358: what a black spot in a white field then has).
+/// Veiling glare: a share of all light is spread evenly, (1 − share) L + share · mean (ISO 9358:
+/// the signal of a black spot in a white field).
 void spread_glare(double share, std::span<float> light);
 
-/// Time constants from one picture to the next beyond which they do not know each other.
+/// Interval in time constants after which the previous picture has no effect.
 inline constexpr double forgotten_after = 1000.0;
-/// What a bolometer follows of what it sees, which goes straight from one picture to the next:
-/// τ dy/dt = x − y, solved exactly. `seen` and `shown` are those of the picture before.
+/// Response of a bolometer to a flux that changes linearly between pictures: τ dy/dt = x − y,
+/// solved exactly. `seen` and `shown` are those of the previous picture.
 void lag(double time_constant, double seconds, std::span<const float> seen,
          std::span<const float> shown, std::span<float> now);
 

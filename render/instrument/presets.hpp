@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// Generic cameras: numbers of their kind, of no maker's product. presets.cpp has their sources.
+/// Generic cameras: typical values, of no maker's product. presets.cpp has the sources.
 ///
 ///     cooled_mwir    InSb or HgCdTe at 77 K, 15 µm, f/2.5, for 3-5 µm
 ///     uncooled_lwir  vanadium oxide, 12 µm, f/1, for 8-14 µm

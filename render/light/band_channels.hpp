@@ -10,9 +10,9 @@
 
 namespace diurna {
 
-/// Runs of a band's nodes that lie in one bin of the atmosphere, inside which its transmittance is
-/// one number. What leaves a surface needs to be known per channel only; rows of channels are
-/// padded with zeros to whole registers.
+/// Groups of a band's nodes in one bin of the atmosphere, with a common transmittance. Light
+/// leaving a surface is only needed per channel; rows of channels are padded with zeros to whole
+/// registers.
 struct Channels {
     std::vector<std::uint32_t> first;  // (channel + 1) nodes of channel c: [first[c], first[c + 1])
 

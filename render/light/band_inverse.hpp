@@ -7,13 +7,13 @@
 
 namespace diurna {
 
-/// The black body that has a band's radiance, at radiances whose last bits are zero: 64 to an
-/// octave. Each is found once in a program's run, by iteration (4 µs), and kept, since every
-/// picture asks for the same few hundred. Safe to use from many threads; values do not depend on
-/// who asks first.
+/// The temperature of a black body from a band's radiance, at radiances whose last bits are zero:
+/// 64 per octave. Each is computed once per run of the program, by iteration (4 µs), and stored,
+/// since every picture needs the same few hundred. Thread-safe; values do not depend on the order
+/// of calls.
 class BandInverse {
  public:
-    static constexpr int shift = 17;  // bits of a float below a place
+    static constexpr int shift = 17;  // bits of a float below a table entry
 
     struct Value {
         double temperature = 0.0;          // [K]
@@ -34,11 +34,11 @@ class BandInverse {
     std::unique_ptr<State> state_;
 };
 
-/// That of a band with these nodes and weights; kept until the program ends.
+/// The table of a band with these nodes and weights; stored until the program ends.
 const BandInverse& band_inverse(const Band& band);
 
-/// [W m⁻² sr⁻¹ K⁻¹] about the temperature that a radiance looks like, within 2 %: for estimates of
-/// errors.
+/// [W m⁻² sr⁻¹ K⁻¹] at the apparent temperature of a radiance, within 2 %: for error
+/// estimates.
 double radiance_per_kelvin(const Band& band, double radiance);
 
 }  // namespace diurna

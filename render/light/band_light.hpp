@@ -18,7 +18,7 @@
 
 namespace diurna {
 
-/// All that is worked out in a band at an instant before any facet is looked at.
+/// All quantities of a band at an instant that do not depend on the facet.
 struct BandLight {
     Band band;
     Channels channels = {};

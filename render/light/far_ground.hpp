@@ -9,13 +9,13 @@
 
 namespace diurna {
 
-/// What the ground beyond the scene's edge (RadianceInput::beyond) sends out, (origin)(node)
-/// [W m⁻² sr⁻¹ µm⁻¹]: level, without relief, equally in all directions,
+/// Radiance of the ground beyond the scene's edge (RadianceInput::beyond), (origin)(node) [W m⁻²
+/// sr⁻¹ µm⁻¹]: level, without relief, Lambertian,
 ///
 ///     J = (1 − ρ) B(T) + ρ [cosθ E_sun / π + L_sky]
 ///
-/// with the sky as on open ground at its height. Sunlight is empty where there is none; all are
-/// where the scene has no such ground.
+/// with the sky as on open ground at its height. Sunlight is empty without sunlight; all are empty
+/// if the scene has no such ground.
 ///
 /// - scattered: scattered_sun() of these nodes, or null
 LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,

@@ -13,19 +13,19 @@
 
 namespace diurna {
 
-/// The light that falls on surfaces at one height, per node of a band.
+/// The light incident on surfaces at one height, per node of a band.
 struct IncidentLight {
     std::vector<double> sun;  // (node) irradiance on a plane facing the sun [W m⁻² µm⁻¹]
     std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
     std::vector<double> scattered;  // (node) sunlight in `sky`; empty: none
-    /// (node) Sunlight scattered so little that it comes from the sun itself, on a plane facing it;
-    /// not in `sky`. Empty: none.
+    /// (node) The circumsolar part of scattered sunlight, on a plane facing the sun; not in `sky`.
+    /// Empty: none.
     std::vector<double> aureole = {};
-    /// How heat and scattered sunlight differ by direction about their means, (function)(node) as
-    /// directional_sky.hpp has it; empty: no more.
+    /// Directional distribution of thermal and scattered light about their means, (function)(node),
+    /// see directional_sky.hpp; empty: none.
     std::array<std::vector<double>, 3> uneven_heat = {};
     std::array<std::vector<double>, uneven_functions> uneven_scattered = {};
-    /// What of scattered sunlight is in none of these, (direction of half_sky)(node); empty: none.
+    /// Residual of scattered sunlight without these, (direction of half_sky)(node); empty: none.
     std::vector<std::vector<double>> left_scattered = {};
 
     /// Radiance of `sky` from an origin at a node.
@@ -46,7 +46,7 @@ struct IncidentLight {
     double from_sun(std::size_t node) const {
         return sun[node] + (aureole.empty() ? 0.0 : aureole[node]);
     }
-    /// Radiance that arrives at a facet from the sky, as its mean over the whole hemisphere.
+    /// Radiance incident on a facet from the sky, as its mean over the whole hemisphere.
     ///
     /// - narrow: its NarrowView, or empty
     LightByOrigin sky_on(double sky_view, const UnevenView& uneven,
@@ -54,9 +54,9 @@ struct IncidentLight {
     LightByOrigin sky_by_origin() const { return sky_on(1.0, {}); }
     LightByOrigin sun_by_origin() const;
 };
-/// The mean is ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by eight points of Gauss and Legendre.
+/// The mean is ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by eight Gauss-Legendre points.
 ///
-/// scattered  of the same nodes, or null: `sky` is then the heat of air and clouds alone
+/// scattered  of the same nodes, or null: `sky` is then thermal light of air and clouds only
 IncidentLight incident_light(const RadianceInput& input, double height_km,
                              std::span<const double> node_um,
                              const ScatteredSun* scattered = nullptr);
@@ -64,14 +64,14 @@ IncidentLight incident_light(const RadianceInput& input, double height_km,
 /// Whether there is sunlight scattered by the scene's air at any of these wavelengths.
 bool has_scattered_sun(const RadianceInput& input, std::span<const double> node_um);
 
-/// That at a band's nodes. Empty where there is none: without sun,
-/// with the sun below the horizon, beyond 5 µm, in a vacuum and in a table of paths.
+/// Scattered sunlight at a band's nodes. Nothing without sun, with the sun below the horizon,
+/// beyond 5 µm, in a vacuum and in a table of paths.
 std::optional<ScatteredSun> scattered_sun(const RadianceInput& input,
                                           std::span<const double> node_um);
 
 /// Sunlit share × cosine / π [sr⁻¹]: times irradiance and reflectance, the radiance of sunlight.
 ///
-/// cosine  of the angle between the facet's normal and the sun; negative: none falls on it
+/// cosine  of the angle between the facet's normal and the sun; negative: no sunlight on it
 template <class Real>
 Real sunlight_on(Real sunlit_share, Real cosine) {
     return sunlit_share / std::numbers::pi_v<Real> * std::max(Real{0}, cosine);

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// What a material does to light of one wavelength; ε + ρ + τ = 1.
+/// Optical properties of a material at one wavelength; ε + ρ + τ = 1.
 struct SurfaceOptics {
     double emissivity, reflectance, transmittance;
 };
@@ -16,19 +16,19 @@ SurfaceOptics optics_at(const Material& material, double wavelength_um);
 /// The same at the nodes of a band.
 struct NodeOptics {
     std::vector<double> emissivity, reflectance, transmittance;  // (node)
-    /// (node) τ B of the room behind [W m⁻² sr⁻¹ µm⁻¹]; empty where nothing shines through, or
-    /// where what is behind is as warm as the facet itself
+    /// (node) τ B of the room behind [W m⁻² sr⁻¹ µm⁻¹]; empty if opaque, or if the space behind has
+    /// the facet's own temperature
     std::vector<double> room;
     bool transparent = false;
-    double passed = 0.0;  // goes on behind it (materials/matter/passed_light.hpp): heat
+    double passed = 0.0;  // continues behind it (materials/matter/passed_light.hpp): heat
 };
 
 /// (material) of those with `used` set; the rest stays empty.
 std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& materials,
                                     const std::vector<bool>& used);
 
-/// Temperature [K] of what shines through a facet of a transparent material: the air of the room
-/// behind it (Interior), else its own.
+/// Temperature [K] of the radiation transmitted through a facet of a transparent material: the air
+/// of the room behind it (Interior), else its own.
 double temperature_behind(const Material& material, double facet_temperature);
 
 }  // namespace diurna

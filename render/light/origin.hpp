@@ -7,18 +7,18 @@
 
 namespace diurna {
 
-/// Where light was before surfaces sent it on: what air has taken of it already, and so how much
-/// the air before the eye still takes (materials/atmosphere/onward_light.hpp).
+/// Origin of light before surfaces reflected it, which determines its absorption so far, and so the
+/// absorption by the air in front of the eye (materials/atmosphere/onward_light.hpp).
 ///
-///     surface   emitted by a surface, or by a room behind it: it has met no air yet
-///     sunlight  of the sun, straight or scattered by the air
+///     surface   emitted by a surface, or by a room behind it: no air so far
+///     sunlight  of the sun, direct or scattered by the air
 ///     sky_heat  emitted by air and clouds
 enum class Origin { surface, sunlight, sky_heat };
 inline constexpr std::size_t origin_count = 3;
 inline constexpr std::array<Origin, origin_count> all_origins = {Origin::surface, Origin::sunlight,
                                                                  Origin::sky_heat};
 
-/// A spectrum by its origins, (origin)(node); empty where it has none of one.
+/// A spectrum by its origins, (origin)(node); empty for absent origins.
 using LightByOrigin = std::array<std::vector<double>, origin_count>;
 
 /// Its spectrum from one origin.

@@ -13,8 +13,8 @@
 
 namespace diurna {
 
-// The reference that the tables of a picture are measured against: every term of a facet's radiance
-// summed node by node, with nothing tabulated. The program itself does not call it; the tests do.
+// Reference for the tables of a picture: every term of a facet's radiance summed node by node,
+// without tables. Used by the tests only.
 
 /// (term, node) [W m⁻² sr⁻¹ µm⁻¹]
 using NodeTerms = std::array<std::vector<double>, term_count>;
@@ -23,34 +23,34 @@ using NodeTerms = std::array<std::vector<double>, term_count>;
 ///
 ///     J = ε B(T) + ρ [f cosθ E_sun / π + V L_sky + Σ F_j J_j] + τ B(T_behind)
 ///
-/// V L_sky stands for what the open sky of the facet sends, air, clouds and the sunlight they
-/// scatter, by direction (directional_sky.hpp); what is scattered next to the sun is in E_sun.
+/// V L_sky is the light of the facet's visible sky, air, clouds and the sunlight they scatter, by
+/// direction (directional_sky.hpp); scattered light close to the sun is in E_sun.
 ///
-/// V is the sky view, F its row of view factors, scaled to 1 − V (so that ground beyond the scene's
-/// edge looks like the surroundings that are there; like the facet itself if there are none). J_j
-/// is the same sum for facet j, and so on; after `bounces` the surroundings count as black at the
-/// facet's own temperature, so that an isothermal enclosure is exactly black. With two, what is
-/// neglected is ρ ρ_j ρ_k (1 − V)(1 − V_j)(1 − V_k) times the difference of two black bodies.
-/// `behind` is black at the temperature of the room behind (Interior), else of the facet.
+/// V is the sky view, F its row of view factors, scaled to 1 − V (so ground beyond the scene's edge
+/// looks like the visible surroundings, or like the facet itself without any). J_j is the same sum
+/// for facet j, and so on; after `bounces` the surroundings count as black at the facet's own
+/// temperature, so that an isothermal enclosure is exactly black. With two, the neglected part is ρ
+/// ρ_j ρ_k (1 − V)(1 − V_j)(1 − V_k) times the difference of two black bodies. `behind` is black at
+/// the temperature of the room behind (Interior), else of the facet.
 ///
-/// - scattered: scattered_sun() of these nodes; null: made for this call
+/// - scattered: scattered_sun() of these nodes; null: computed here
 /// - returns: Term::path is zero
 NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
                           std::span<const double> node_um, int bounces = 2,
                           const ScatteredSun* scattered = nullptr);
 
-/// The same taken apart by where the light was before: (term)(origin)(node).
+/// The same by origin of the light: (term)(origin)(node).
 using TermsByOrigin = std::array<LightByOrigin, term_count>;
 TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
                                   std::span<const double> node_um, int bounces = 2,
                                   const ScatteredSun* scattered = nullptr);
 
-/// Share of the light of each origin at a place that arrives at the eye, (origin)(node), both of
-/// its ways taken for one path:
+/// Share of the light of each origin at a place that arrives at the eye, (origin)(node), with both
+/// parts of its way treated as one path:
 ///
-///     surface   transmittance of the way to the eye
-///     sunlight  the direct sun's, of both ways over that of the first
-///     sky_heat  of the mean sky
+///     surface   transmittance of the path to the eye
+///     sunlight  direct sun over both paths, divided by that over the first
+///     sky_heat  the same for the mean sky
 ///
 /// - line: from the eye to the place
 LightByOrigin onward_shares(const RadianceInput& input, const SightLine& line, double height_km,
@@ -62,8 +62,8 @@ struct FacetSight {
     FacetId facet;
     double range, height;
 };
-/// Band radiance [W m⁻² sr⁻¹] at the eye, term by term: J through the air of the way, each origin's
-/// share of it, and what that air sends itself.
+/// Band radiance [W m⁻² sr⁻¹] at the eye, term by term: J attenuated by the air, by origin, plus
+/// the emission of that air.
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                const FacetSight& sight, int segments = 0,
                                                const ScatteredSun* scattered = nullptr);

@@ -23,7 +23,7 @@ struct FarGround {
     double height_km = 0.0;      // above the sea
 };
 
-/// The state of the scene at one instant: all that a picture depends on besides the view.
+/// The state of the scene at one instant: all inputs of a picture except the view.
 struct RadianceInput {
     const FacetSet& facets;
     const FacetViews& views;
@@ -36,18 +36,18 @@ struct RadianceInput {
     double sun_distance_au = 1.0;
     double ground_height_km = 0.0;  // of the scene's origin above the sea
     Instant instant{};
-    /// The moon shines in the sun's place: sun_fraction, to_sun and sun_zenith_deg are the moon's,
+    /// The moon replaces the sun: sun_fraction, to_sun and sun_zenith_deg are the moon's,
     /// sun_distance_au is 1.
     std::optional<MoonLight> moon{};
-    double wind_speed = 3.0;  // [m s⁻¹] 12.5 m above water, which it roughens
-    /// None: beyond the edge lies a black plain at ground_height_km, as warm as the air on it.
+    double wind_speed = 3.0;  // [m s⁻¹] 12.5 m above water: its roughness
+    /// None: beyond the edge is a black plain at ground_height_km, at the temperature of the air.
     std::optional<FarGround> beyond{};
     /// One height above the sea [km] whose sun and sky all facets have; none: each its own's.
     std::optional<double> light_height_km{};
     /// Height above the sea [km] at which sun and sky change at once: a cloud's top.
     double light_edge_km = std::numeric_limits<double>::infinity();
 
-    /// Height above the sea [km] of what lies beyond the scene's edge.
+    /// Height above the sea [km] of the ground beyond the scene's edge.
     double plain_height_km() const { return beyond ? beyond->height_km : ground_height_km; }
 
     /// Height above the sea [km] of a height above the origin's level surface [m].
@@ -60,8 +60,8 @@ struct RadianceInput {
 };
 
 /// Calls body(facet, factor) for each facet that a facet sees, with the view factor scaled so that
-/// all of them add up to 1 − sky view: ground beyond the scene's edge looks like the surroundings
-/// that are there. Never called where there are none.
+/// the sum is 1 − sky view: ground beyond the scene's edge looks like the visible surroundings.
+/// Never called without any.
 template <class Body>
 void each_seen_facet(const FacetViews& views, FacetId facet, const Body& body) {
     const ViewFactors& others = views.others;
@@ -72,7 +72,7 @@ void each_seen_facet(const FacetViews& views, FacetId facet, const Body& body) {
     }
     const double rest = 1.0 - double{views.sky[f]};
     for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
-        if (others.factor[k] == 0.0f) continue;  // a row of nothing but zeros is no row
+        if (others.factor[k] == 0.0f) continue;  // a row of zeros counts as empty
         body(others.facet[k], rest * double{others.factor[k]} / total);
     }
 }

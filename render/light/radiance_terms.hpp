@@ -5,11 +5,11 @@
 
 namespace diurna {
 
-/// The terms of the radiance at the eye (radiance.hpp); `behind` is what shines through a surface,
+/// The terms of the radiance at the eye (radiance.hpp); `behind` is transmitted through a surface,
 /// `path` the air between surface and eye.
 enum class Term { emitted, sun, sky, surroundings, behind, path };
 inline constexpr std::size_t term_count = 6;
-/// As planes of a picture are called.
+/// Names of the planes of a picture.
 inline constexpr std::array<const char*, term_count> term_names = {
     "emitted", "reflected_sun", "reflected_sky", "reflected_surroundings", "transmitted", "path"};
 

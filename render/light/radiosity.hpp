@@ -11,28 +11,28 @@
 
 namespace diurna {
 
-/// The radiosity (over π: as radiance) of every facet lit that shines on others, in the modes of
+/// The radiosity (over π: as radiance) of every lit facet that illuminates others, in the modes of
 /// all bands.
 ///
-/// Its own heat, light of the sky and of the sun, and what it reflects of the facets around it, to
-/// and fro (terrain/visibility/interreflection.hpp) until a bounce adds less than BounceOptions say
-/// to what is seen. To begin with, a facet's surroundings count as black at its own temperature,
-/// and so they remain where they do not matter or are not there: an isothermal enclosure is
+/// Emission, reflected sky and sun, and interreflections (terrain/visibility/interreflection.hpp)
+/// until a bounce adds less than BounceOptions allow. Initially, and wherever they are
+/// insignificant or absent, a facet's surroundings count as black at its own temperature: an
+/// isothermal enclosure is exactly black.
 /// exactly black.
 class Radiosity {
  public:
-    /// All of these are to outlive it.
+    /// All of these must outlive it.
     ///
     /// - bounces: (band)
     Radiosity(const LitFacets& lit, const LitState& state, const RadiosityTables& tables,
               std::span<const BandLight> bands, std::span<const BounceOptions> bounces);
 
-    /// Light that arrives at a facet from those around it: Σ F_j J_j, over a hemisphere 1 − sky
-    /// view.
+    /// Irradiance (as radiance) of a facet from those around it: Σ F_j J_j, over a hemisphere 1 −
+    /// sky view.
     ///
     /// - black: (lane) black body at the facet's temperature
     void arriving(std::size_t lit, const float* black, float* out) const;
-    /// Asks the memory for what arriving() will need.
+    /// Prefetches the memory that arriving() needs.
     void fetch(std::size_t lit) const {
         for (std::uint32_t e = lit_.row[lit]; e < lit_.row[lit + 1]; ++e) {
             __builtin_prefetch(&radiosity_[std::size_t{lit_.source[e]} * tables_.lanes]);
@@ -43,9 +43,9 @@ class Radiosity {
 
  private:
     void first_bounce(std::size_t lit, std::span<const BandLight> bands, float* out) const;
-    /// Adds ρ times the light that arrives.
+    /// Adds ρ times the incident light.
     void reflect(std::size_t lit, const float* light, float* out) const;
-    /// Puts by what a facet reflects of its surroundings beyond black ones.
+    /// Stores the part of a facet's reflection by which its surroundings differ from black ones.
     void second_bounce(std::size_t lit, float* unsent) const;
     void follow_bounces(std::span<const BandLight> bands, std::span<const BounceOptions> bounces);
 

@@ -10,13 +10,13 @@
 
 namespace diurna {
 
-/// Temperatures a table is made for, in equal cells [K].
+/// Temperatures of a table, in equal cells [K].
 struct TemperatureGrid {
     double low = 200.0;
     double step = 2.0;
     std::size_t cells = 50;
 
-    /// Cell of a temperature (the nearest one if it lies outside) and its place in it, 0 to 1.
+    /// Cell of a temperature (the nearest one if outside) and its position in it, 0 to 1.
     std::size_t cell(float temperature, float& place) const {
         const float u = (temperature - static_cast<float>(low)) * static_cast<float>(1.0 / step);
         const float c = u < 0.0f ? 0.0f : u < float(cells) ? u : float(cells) - 0.5f;
@@ -27,12 +27,12 @@ struct TemperatureGrid {
 /// Cells of at most 2 K that hold [low, high].
 TemperatureGrid temperature_grid(double low, double high);
 
-/// What surfaces emit and reflect, in the modes (spectral_basis.hpp) of all bands side by side, so
-/// that one walk along the facets around a facet serves every band. A band's modes fill whole
-/// groups of four lanes, all bands together whole groups of eight; lanes to spare hold zeros.
+/// Emission and reflection of surfaces, in the modes (spectral_basis.hpp) of all bands side by
+/// side, so that one loop over the neighbours of a facet serves every band. A band's modes fill
+/// whole groups of four lanes, all bands together whole groups of eight; unused lanes are zero.
 struct RadiosityTables {
     struct OfMaterial {
-        // (cell, power, lane) cubics in temperature: ε B with what shines through, and ρ B
+        // (cell, power, lane) cubics in temperature: ε B with transmission, and ρ B
         std::vector<float> emitted, reflected;
         // (lane) at the three heights: ρ × irradiance of the sun
         std::array<std::vector<float>, 3> sun;
@@ -50,7 +50,7 @@ struct RadiosityTables {
 };
 RadiosityTables radiosity_tables(std::span<const BandLight> bands, const TemperatureGrid& grid);
 
-/// A cubic of such a table at a place in its cell, eight lanes at a time: its coefficients lie
+/// A cubic of such a table at a position in its cell, eight lanes at a time: its coefficients are
 /// `lanes` apart.
 inline Lane cubic(const float* a, std::size_t lanes, float t) {
     return load(a) + t * (load(a + lanes) + t * (load(a + 2 * lanes) + t * load(a + 3 * lanes)));

@@ -6,9 +6,9 @@
 
 namespace diurna {
 
-/// Floats without a value yet, from memory that earlier frames have used and given back: what the
-/// system would have to hand out and clear anew costs more than to fill it. Large pieces lie in
-/// large pages, as facets look at their neighbours' light all over it.
+/// Uninitialised floats, in memory released by earlier frames: new memory from the system must be
+/// cleared, which costs more than filling it. Large pieces are in large pages, as facets access
+/// their neighbours' light all over it.
 class ReusedFloats {
  public:
     explicit ReusedFloats(std::size_t size);

@@ -10,11 +10,11 @@
 
 namespace diurna {
 
-/// All light of a scene at an instant, in several bands: what falls on the facets lit, and what
-/// they send to each other.
+/// All light of a scene at an instant, in several bands: incident on the lit facets, and exchanged
+/// between them.
 struct SceneLight {
-    /// - input, lit: to outlive it; `lit` of these bands
-    /// - bounces: of light between surfaces, at most
+    /// - input, lit: must outlive it; `lit` of these bands
+    /// - bounces: maximum number of interreflections
     /// - tolerance: [K] of apparent temperature
     SceneLight(const RadianceInput& input, const LitFacets& lit, std::span<const Band> bands,
                int bounces, double tolerance);

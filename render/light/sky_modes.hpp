@@ -10,10 +10,10 @@
 
 namespace diurna {
 
-/// A few spectra that the light of the sky on every facet of a scene is a sum of in a band, by its
+/// A few spectra whose sum represents the sky's light on every facet of a scene in a band, by its
 /// sky view, its view of the uneven sky and its height: principal components of the sky's mean and
-/// of its functions' coefficients at three heights, to 1e-5 of the whole; what is left of the
-/// functions is taken as the nearest sum of these.
+/// of its functions' coefficients at three heights, to 1e-5 of the whole; the residual of the
+/// functions is projected on these.
 struct SkyModes {
     static constexpr std::size_t most = 3 * (1 + uneven_functions);
     std::vector<LightByOrigin> spectrum;  // (mode) [W m⁻² sr⁻¹ µm⁻¹]
@@ -21,7 +21,7 @@ struct SkyModes {
     Eigen::MatrixXf narrow;               // (mode, height × direction) of its NarrowView
 
     std::size_t size() const { return spectrum.size(); }
-    /// What a facet has of each.
+    /// Coefficients of a facet.
     ///
     /// - narrow: its NarrowView, or empty
     /// - up: weights of the three heights

@@ -10,9 +10,9 @@
 
 namespace diurna {
 
-// What is seen where the scene ends: sky, or below the horizon the air down to a far plain. That is
-// RadianceInput::beyond, level ground of a material and temperature of its own; where there is none
-// it lies at the height of the scene's origin, black and as warm as the air on it.
+// The background beyond the scene: sky, or below the horizon the air in front of a far plain. That
+// is RadianceInput::beyond, level ground with its own material and temperature; without it, a black
+// plain at the height of the scene's origin, at the temperature of the air there.
 
 /// Zenith angle [deg] below which a ray from `height_km` ends on the far plain.
 double horizon_zenith_deg(const RadianceInput& input, double height_km);
@@ -25,8 +25,8 @@ double horizon_zenith_deg(const RadianceInput& input, double height_km);
 /// - from_plain: onward_from_plain() of these nodes, for whoever asks for many directions; null: it
 ///   is found for this one
 ///
-/// The air takes of what the plain reflects of the sky as much as of what it emits; of sunlight
-/// what its way down has left to take.
+/// Sky light reflected by the plain is attenuated like its emission; for sunlight the path down to
+/// the plain is included.
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
                                   std::span<const double> node_um, const SightLine& onward = {},
                                   const LightByOrigin& far = {},

@@ -23,7 +23,7 @@ inline double azimuth_of(const Eigen::Vector3d& direction) {
     return std::atan2(direction.x(), direction.y());
 }
 
-/// Azimuth counted from the sun's, −360 to 360.
+/// Azimuth relative to the sun's, −360 to 360.
 inline double azimuth_from_sun_deg(const Eigen::Vector3d& direction,
                                    const Eigen::Vector3d& to_sun) {
     return degrees(azimuth_of(direction) - azimuth_of(to_sun));

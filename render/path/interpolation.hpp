@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-// Lagrange's interpolation between nodes at 0, 1, 2 ..., and how much it errs.
+// Lagrange interpolation between nodes at 0, 1, 2 ..., and its error.
 
 /// Weight of node j of `count` for the place y: Π (y − k) / (j − k).
 inline double lagrange_weight(double y, std::size_t j, std::size_t count) {
@@ -31,33 +31,33 @@ inline std::array<float, most_few> weights_of_few(float y, std::size_t count) {
             y * a * b * d / -6.0f, y * a * b * c / 24.0f};
 }
 
-/// The same as products of the distances to the nodes before and after each: other last bits, which
-/// are those of pictures with panes, nets, plumes or mirrors.
+/// The same as products of the distances to the nodes before and after each: with other rounding,
+/// used in pictures with panes, nets, plumes or mirrors.
 std::array<float, most_few> product_weights_of_few(float y, std::size_t count);
 
-/// Weights of the four nodes start .. start + 3 of a uniform grid for the place x nodes after its
-/// beginning: cubic.
+/// Weights of the four nodes start .. start + 3 of a uniform grid for a position x nodes after its
+/// start: cubic.
 struct Stencil {
     std::size_t start = 0;
     std::array<float, 4> weight{};
 };
 Stencil stencil(double x, std::size_t nodes);
 
-/// What the nodes' values come to at the place x: cubic.
+/// Interpolates the nodes' values at x: cubic.
 double interpolated(std::span<const double> value, double x);
 
-/// Matrix (fine node, coarse node) that interpolates on a uniform grid: cubic Lagrange, or
-/// polynomials through all nodes where there are fewer than six.
+/// Matrix (fine node, coarse node) that interpolates on a uniform grid: cubic Lagrange, or a
+/// polynomial through all nodes if there are fewer than six.
 Eigen::MatrixXd interpolation_matrix(std::size_t coarse, std::size_t fine);
 
-/// Five values as interpolation between `count` of them, 2, 3 or 5 at even steps, has them.
+/// Five values interpolated between `count` of them, 2, 3 or 5 at even steps.
 std::array<double, most_few> from_fewer(const std::array<double, most_few>& value,
                                         std::size_t count);
 
-/// The greatest error of a cubic in the middles between nodes, over scale(what is right there).
+/// The largest error of a cubic in the middles between nodes, over scale(correct value).
 ///
 /// - value: value(k) of node k
-/// - middle: middle(k) what is right half-way between the nodes k and k + 1
+/// - middle: middle(k) the correct value half-way between the nodes k and k + 1
 template <class Value, class Middle, class Scale>
 double worst_between(std::size_t count, const Value& value, const Middle& middle,
                      const Scale& scale) {

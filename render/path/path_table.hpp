@@ -16,18 +16,18 @@ namespace diurna {
 /// Transmittance and radiance of the air between an observer and the places of a scene, at the
 /// nodes of a SightGrid.
 ///
-/// Products with what leaves a surface are to be formed at the nodes, in channels, and those
-/// interpolated: the eye's radiance is smooth over the grid, and exact at its nodes.
+/// Products with the light leaving a surface are to be formed at the nodes, in channels, and then
+/// interpolated: the radiance at the eye is smooth over the grid, and exact at its nodes.
 ///
-/// Transmittance is that of light of an origin: sunlight and the sky's heat have met air before
-/// (materials/atmosphere/onward_light.hpp), on the way to a place of the node's height.
+/// Transmittance depends on the origin of light: sunlight and the sky's thermal light have passed
+/// air before (materials/atmosphere/onward_light.hpp), on the path to a place at the node's height.
 class PathTable {
  public:
-    /// Halves the spacing until interpolation of the radiance of every probe, carried through the
-    /// air, errs by less than `tolerance` [K] of apparent temperature in every band, as far as
-    /// can be reported from the nodes that the last halving added.
+    /// Halves the spacing until interpolation of the radiance of every probe through the air has an
+    /// error below `tolerance` [K] of apparent temperature in every band, as estimated from the
+    /// nodes added by the last halving.
     ///
-    /// - bands: their channels and probes; to outlive the table
+    /// - bands: their channels and probes; must outlive the table
     PathTable(const RadianceInput& input, const PathExtent& extent,
               std::span<const BandLight> bands, double tolerance);
 
@@ -43,7 +43,7 @@ class PathTable {
     const float* channel_radiance(std::size_t band, std::size_t node) const {
         return node_[node].channel_radiance[band].data();
     }
-    /// That of the whole band.
+    /// Radiance in the whole band.
     float radiance(std::size_t band, std::size_t node) const { return node_[node].radiance[band]; }
     /// Estimated error of interpolation [K] of apparent temperature.
     double error(std::size_t band) const { return error_[band]; }

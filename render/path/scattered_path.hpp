@@ -9,16 +9,16 @@
 
 namespace diurna {
 
-/// Sunlight that the air scatters towards an observer before the places of a scene, in one band
-/// [W m⁻² sr⁻¹]: a table over the nodes of a SightGrid and the angle between the line of sight and
-/// the sun. The part that depends on the line's slope alone is linear in its cosine (SunField) and
-/// has a smaller table beside it.
+/// Sunlight scattered towards an observer by the air in front of a scene's points, in one band [W
+/// m⁻² sr⁻¹]: a table over the nodes of a SightGrid and the angle between the line of sight and the
+/// sun. The part that depends only on the line's slope is linear in its cosine (SunField) and has a
+/// separate smaller table.
 ///
-/// The spacings are halved until the scattered light errs by less than `tolerance` half-way between
-/// the nodes.
+/// The spacings are halved until the error of scattered light half-way between the nodes is less
+/// than `tolerance`.
 class ScatteredPath {
  public:
-    /// Angles at which a picture looks, from the sun.
+    /// Range of the picture's angles from the sun.
     struct Angles {
         double least_deg = 0.0, most_deg = 180.0;
         double at(std::size_t k, std::size_t count) const {
@@ -26,12 +26,12 @@ class ScatteredPath {
         }
     };
 
-    /// - field: of the band's nodes; to outlive the table, as the band
-    /// - tolerance: of scattered radiance, as a share of it or of a fiftieth of its greatest value
+    /// - field: of the band's nodes; must outlive the table, as must the band
+    /// - tolerance: relative error of scattered radiance, or of a fiftieth of its largest value
     ScatteredPath(const SunField& field, const Band& band, const PathExtent& extent,
                   const Angles& angles, double tolerance = 8e-4);
 
-    /// A direction of sight: what of the table it needs.
+    /// Table weights of a direction of sight.
     struct Towards {
         Stencil angle;
         float cosine;  // of its zenith angle

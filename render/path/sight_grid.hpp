@@ -14,7 +14,7 @@
 
 namespace diurna {
 
-/// Range and height of what an observer sees.
+/// Range and height of an observer's targets.
 struct PathExtent {
     double observer_height_km = 0.0;  // above the sea, as the heights below
     double least_range_km = 0.0, most_range_km = 0.0;
@@ -23,17 +23,17 @@ struct PathExtent {
 /// Of a view's targets.
 PathExtent path_extent(const View& view, double ground_height_km);
 
-/// Nodes of a table over the lines of sight from one place: uniform in range^⅓ (bands of saturated
-/// lines grow with the root of range, so that nodes crowd near the eye) and in height of the far
-/// end. Cubic in range; a parabola, or of fourth degree, in height.
+/// Nodes of a table over the lines of sight from one place: uniform in range^⅓ (absorption in
+/// saturated lines grows with the root of range, so nodes are denser near the eye) and in height of
+/// the far end. Cubic in range; quadratic, or of fourth degree, in height.
 struct SightGrid {
     static constexpr std::size_t fewest_ranges = 5;
 
     explicit SightGrid(const PathExtent& of);
 
-    PathExtent extent;                       // not quite empty in height
+    PathExtent extent;                       // height range not zero
     double root_low = 0.0, root_high = 1.0;  // [km^⅓]
-    int segments;  // of every line (chord_segments), so that radiance is smooth over the grid
+    int segments;  // the same for every line, so that radiance is smooth over the grid
     std::size_t ranges = fewest_ranges, heights = 2;
 
     /// Node i or j of `count`.
@@ -53,12 +53,12 @@ struct SightGrid {
     double places_per_height_km() const {
         return double(heights - 1) / (extent.most_height_km - extent.least_height_km);
     }
-    /// Place of a range [m] among the ranges.
+    /// Position of a range [m] among the ranges.
     double range_place(float range) const {
         const double root = double{std::cbrt(1e-3f * range)};
         return (root - root_low) / (root_high - root_low) * double(ranges - 1);
     }
-    /// Place of a height among the heights.
+    /// Position of a height among the heights.
     float height_place(float height_km) const {
         return static_cast<float>((double{height_km} - extent.least_height_km) /
                                   (extent.most_height_km - extent.least_height_km) *
@@ -66,7 +66,7 @@ struct SightGrid {
     }
 };
 
-/// Takes the fewest heights, of two, three or five, that enough(count) says yes to, or five.
+/// Uses the fewest heights, of two, three or five, for which enough(count) is true, or five.
 template <class Enough>
 void choose_heights(SightGrid& grid, const Enough& enough) {
     for (const std::size_t count : {std::size_t{2}, std::size_t{3}, most_few}) {
@@ -126,8 +126,8 @@ std::vector<Node> refine_ranges(SightGrid& grid, std::size_t most, double tolera
     return nodes;
 }
 
-/// Cubic interpolation errs by the fourth power of the spacing: once it is halved, 1/16 of the
-/// error is left in theory, 1/8 is claimed.
+/// Cubic interpolation has an error of fourth order: halving the spacing leaves 1/16 in theory; 1/8
+/// is assumed.
 inline constexpr double left_by_halving = 1.0 / 8.0;
 
 }  // namespace diurna

@@ -9,9 +9,10 @@
 
 namespace diurna {
 
-/// Adds the sunlight that the air scatters before what every pixel sees to a plane [W m⁻² sr⁻¹].
-/// Directions are those of the pixels' middles; a pixel whose sightings lie within 3 % of range is
-/// looked up once, at their mean. Returns what the table was like, for the frame's notes.
+/// Adds the sunlight scattered by the air in front of each pixel's surfaces to a plane [W m⁻²
+/// sr⁻¹]. Directions are those of the pixels' centres; a pixel with surfaces within 3 % of
+/// range is evaluated once, at their mean. Returns the table's size and error, for the frame's
+/// notes.
 ///
 /// - band: with scattered sunlight
 std::string add_scattered_paths(const View& view, const Observer& observer,

@@ -11,7 +11,7 @@ namespace diurna {
 ///
 /// - pixels: (row, column, red green blue opacity), 8 bits each, sRGB, the first row on top
 ///
-/// Throws std::runtime_error where it cannot be encoded.
+/// Throws std::runtime_error if it cannot be encoded.
 std::vector<std::byte> encode_rgba_png(int width, int height, std::span<const std::uint8_t> pixels);
 
 }  // namespace diurna

@@ -27,12 +27,12 @@ Cube cube_of(const Frame& frame, std::span<const Band> channels);
 
 /// Name of a channel in the spectral OpenEXR layout (Fichet, Pacanowski & Wilkie, "An OpenEXR
 /// layout for spectral images", JCGT 10(3), 2021): "S0.08050,000nm". Padded with zeros to the same
-/// length, because OpenEXR keeps channels in alphabetical order.
+/// length, because OpenEXR stores channels in alphabetical order.
 std::string spectral_channel_name(double wavelength_um);
 
 /// The cube in that layout, to be written by write_exr(): planes S0.WAVELENGTHnm of spectral
 /// radiance per nanometre [W m⁻² sr⁻¹ nm⁻¹], attributes spectralLayoutVersion and emissiveUnits
-/// (the layout knows but "W.m^-2.sr^-1") and radianceUnits, which says what the numbers are.
+/// (the layout allows only "W.m^-2.sr^-1") and radianceUnits, the actual unit of the numbers.
 Frame spectral_frame(const Cube& cube);
 
 /// Writes the cube as an ENVI raster: `path` (.img, 32-bit floats, little-endian, band sequential)

@@ -16,16 +16,16 @@ struct Plane {
     std::vector<float> pixel;  // (row, column)
 };
 
-/// What an observer sees at one instant, as named planes of one size.
+/// What an observer sees at one instant, as named planes of equal size.
 ///
 ///     radiance.BAND              W m-2 sr-1  at the aperture
 ///     apparent_temperature.BAND  K           of the black body of that radiance
 ///     TERM.BAND                  W m-2 sr-1  on request; they add up to radiance.BAND
 ///     temperature, range         K, m        at the pixel's centre; NaN where it is sky
 ///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
-///     object_behind.BAND         1           index of what is seen through a net or pane at the
-///                                            pixel's centre, −1: nothing; only where there is any
-///     void                       1           1: ground filled in for want of elevation; −1: sky;
+///     object_behind.BAND         1           object behind a net or pane at the pixel's centre,
+///                                            −1: none; only in scenes with nets or panes
+///     void                       1           1: ground filled in at missing elevations; −1: sky;
 ///                                            only where the scene has such ground
 ///     wet_share, snow_cover,     1           what lies at the pixel's centre; −1: sky; only of
 ///     scenes snow_albedo                            where water lies on any facet at any time
@@ -36,7 +36,7 @@ struct Frame {
     std::string observer;
     std::vector<Plane> planes;
     std::map<std::string, std::string> notes;       // written to files as text attributes
-    std::map<std::string, std::string> attributes;  // the same, under these very names
+    std::map<std::string, std::string> attributes;  // the same, under exactly these names
 
     std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
     /// The plane of that name, or null.
@@ -48,7 +48,7 @@ struct Frame {
 /// The planes of one band and, with `truth`, those that belong to no band.
 Frame band_frame(const Frame& frame, const std::string& band, bool truth = true);
 
-/// "<observer>_<band>_<UTC>", fit for a file name: other characters than letters, digits, '.', '-'
+/// "<observer>_<band>_<UTC>", valid as a file name: other characters than letters, digits, '.', '-'
 /// become '-'.
 std::string frame_name(const Frame& frame, const std::string& band);
 

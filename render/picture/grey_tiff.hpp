@@ -7,8 +7,8 @@
 
 namespace diurna {
 
-/// The bytes of a grey TIFF of one band, packed by DEFLATE with differences, its scale as image
-/// description.
+/// The bytes of a grey TIFF of one band, compressed by DEFLATE with horizontal differencing, its
+/// scale as image description.
 std::vector<std::byte> grey_tiff(const GreyPicture& picture);
 
 }  // namespace diurna

@@ -69,6 +69,11 @@ double tick_step(double span, int most) {
     return 10.0 * decade;
 }
 
+/// Width of a text in pixels.
+int width_of(std::string_view text, int scale) {
+    return static_cast<int>(glyphs_of(text).size()) * scale * glyph_advance;
+}
+
 void draw_scale(Canvas& canvas, int x, int y, int height, const ColourScale& scale,
                 std::string_view unit) {
     constexpr int bar = 18;
@@ -79,28 +84,54 @@ void draw_scale(Canvas& canvas, int x, int y, int height, const ColourScale& sca
     }
     const double span = scale.high - scale.low;
     const double step = tick_step(span, std::max(2, height / 48));
+    const double longest = std::max(std::abs(scale.low), std::abs(scale.high));
+    const int room = canvas.width() - (x + bar + 10);
+    const int size = width_of(fmt::format("{:.6g}", longest), 2) > room ||
+                             width_of(fmt::format("{:.6g}", step), 2) > room
+                         ? 1
+                         : 2;
     for (double tick = std::ceil(scale.low / step - 1e-9) * step; tick <= scale.high + 1e-9 * span;
          tick += step) {
         const int row =
             y + static_cast<int>(std::lround((scale.high - tick) / span * (height - 1)));
         canvas.rectangle(x + bar, row, 6, 1, ink);
         const double number = std::abs(tick) < 1e-9 * step ? 0.0 : tick;
-        canvas.text(x + bar + 10, std::clamp(row - 7, y - 7, y + height - 9), 2,
+        canvas.text(x + bar + 10, std::clamp(row - 7, y - 7, y + height - 9), size,
                     fmt::format("{:.6g}", number));
     }
     canvas.text(x, y - 24, unit.size() > 4 ? 1 : 2, unit);
 }
 
 /// Observer, band and instant.
-std::string title_of(const Frame& frame, const Plane& plane) {
+std::array<std::string, 3> title_of(const Frame& frame, const Plane& plane) {
     std::string_view what = plane.name;
     for (const std::string_view quantity : {"apparent_temperature.", "radiance."}) {
         if (what.starts_with(quantity)) what.remove_prefix(quantity.size());
     }
     // Bands without a name are called by their ends in µm.
     const bool ends = !what.empty() && what.find_first_not_of("0123456789.-") == what.npos;
-    return fmt::format("{}  {}{}  {}", frame.observer, what, ends ? " µm" : "",
-                       format_instant(frame.instant));
+    return {frame.observer, fmt::format("{}{}", what, ends ? " µm" : ""),
+            format_instant(frame.instant)};
+}
+
+/// The title in one line, large or small, or in a line for each part; what does not fit is
+/// omitted, as it is in the file's name.
+void draw_title(Canvas& canvas, int x, int room, const std::array<std::string, 3>& part) {
+    const std::string line = fmt::format("{}", fmt::join(part, "  "));
+    for (const int scale : {2, 1}) {
+        if (width_of(line, scale) <= room) return canvas.text(x, scale == 2 ? 12 : 16, scale, line);
+    }
+    constexpr int line_height = 12;
+    int y = 4;
+    for (const std::string& one : part) {
+        const std::string short_one = one == part.back() ? one.substr(one.find('T') + 1) : one;
+        for (const std::string& text : {one, short_one}) {
+            if (width_of(text, 1) > room) continue;
+            canvas.text(x, y, 1, text);
+            break;
+        }
+        y += line_height;
+    }
 }
 
 std::uint8_t colour_of(double value, const ColourScale& scale) {
@@ -150,15 +181,12 @@ void write_quicklook(const std::filesystem::path& path, const Frame& frame,
                      const std::string& plane_name) {
     const Plane& plane = frame[plane_name];
     const ColourScale scale = colour_scale(frame, plane_name);
-    const std::string title = title_of(frame, plane);
 
     constexpr int margin = 10, top = 42, scale_width = 110;
     const int picture_width = std::max(frame.width, 64);
     Canvas canvas(picture_width + scale_width + 2 * margin,
                   std::max(frame.height, 64) + top + margin);
-    const int room = canvas.width() - scale_width - margin;
-    const bool large = static_cast<int>(glyphs_of(title).size()) * 2 * glyph_advance <= room;
-    canvas.text(margin, large ? 12 : 16, large ? 2 : 1, title);
+    draw_title(canvas, margin, picture_width + margin, title_of(frame, plane));
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);

@@ -8,8 +8,8 @@
 
 namespace diurna {
 
-/// The air between the observer and places on the way of its rays: a PathTable's transmittance and
-/// radiance in the channels of all bands side by side.
+/// The air between the observer and points on its rays: a PathTable's transmittance and radiance in
+/// the channels of all bands side by side.
 class AirLanes {
  public:
     /// - bands: of the table

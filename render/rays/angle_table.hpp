@@ -10,8 +10,8 @@
 namespace diurna {
 
 /// Optics of one material in lanes over the cosine of the angle to the normal: mirrored, diffuse
-/// and transmitted share, weighted inside a channel by a black body. Linear between 128 nodes that
-/// are equal in the root of the cosine and so crowd at grazing angles.
+/// and transmitted share, weighted inside a channel by a black body. Linear between 128 nodes,
+/// equally spaced in the root of the cosine, so denser at grazing angles.
 class AngleTable {
  public:
     AngleTable() = default;
@@ -26,13 +26,13 @@ class AngleTable {
         float mirrored(std::size_t c) const { return low[c] + t * (high[c] - low[c]); }
         float diffuse(std::size_t c) const { return mirrored(lanes + c); }
         float transmittance(std::size_t c) const { return mirrored(2 * lanes + c); }
-        /// What one of the microfacets of a rough surface mirrors.
+        /// Reflectance of one microfacet of a rough surface.
         float facing(std::size_t c) const { return mirrored(3 * lanes + c); }
     };
     Place at(double cosine) const;
     /// Diffuse share (lane) averaged over the hemisphere, ∫ 2 cosθ d cosθ.
     float mean_diffuse(std::size_t lane) const { return hemisphere_[lane]; }
-    /// Of the mirrored lobe; negative: there is none.
+    /// Of the mirrored lobe; negative: no lobe.
     double roughness() const { return roughness_; }
 
  private:

@@ -9,8 +9,8 @@
 
 namespace diurna {
 
-/// The channels of several bands side by side, so that a place in a table is found once for all of
-/// them: those of band b are lanes [first[b], first[b + 1]), zeros to spare included.
+/// The channels of several bands side by side, so that a table position is computed once for all of
+/// them: those of band b are lanes [first[b], first[b + 1]), padding included.
 struct ChannelLanes {
     std::vector<std::size_t> first{0};  // (band + 1)
 

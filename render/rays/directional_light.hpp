@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// What a facet sends at the angle it is seen at, but for what it mirrors of other things and lets
-/// through: of pane, net, mirror, or any finish whose light depends on angle.
+/// Radiance of a facet at its viewing angle, without reflected and transmitted images of other
+/// things: for panes, nets, mirrors, and any finish that depends on angle.
 ///
 /// - target: of the secondary ray, index into SecondaryTables::facet
 /// - out: (row, lane), the rows those of sent_rows

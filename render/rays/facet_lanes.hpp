@@ -10,8 +10,8 @@
 
 namespace diurna {
 
-/// The terms a surface sends by itself, all but the path's, each apart for every origin of light
-/// that it can have.
+/// The terms of a surface's own radiance, all except the path's, each separately for every possible
+/// origin of its light.
 struct SentRow {
     Term term;
     Origin origin;
@@ -27,33 +27,33 @@ inline constexpr std::array<SentRow, 8> sent_rows = {{
     {Term::surroundings, Origin::sky_heat},
 }};
 
-/// What arrives at the facets that rays meet and leaves them, in the channels of all bands side by
+/// Incident light and radiosity of the facets that rays meet, in the channels of all bands side by
 /// side: rows of lanes.
 class FacetLanes {
  public:
-    /// Of the facets handed to lit_facets() from `first` on, so many.
+    /// For this number of the facets given to lit_facets(), from `first` on.
     ///
-    /// - by_term: sent() is asked for
+    /// - by_term: sent() will be used
     FacetLanes(const SceneLight& light, std::size_t first, std::size_t targets,
                const ChannelLanes& lanes, bool by_term);
 
     /// Black body at a facet's temperature.
     ///
-    /// - target: which of these
+    /// - target: index among these
     const float* black(std::uint32_t target) const { return row(target, 0); }
-    /// Light that arrives from the facets around, by where it was before.
+    /// Incident light from the surrounding facets, by its origin.
     const float* from_surroundings(std::uint32_t target, Origin origin) const {
         return row(target, 1 + static_cast<std::size_t>(origin));
     }
-    /// Light of the sky that arrives: heat or scattered sunlight.
+    /// Incident light of the sky: thermal or scattered sunlight.
     const float* from_sky(std::uint32_t target, Origin origin) const {
         return row(target, origin_count + static_cast<std::size_t>(origin));
     }
-    /// Radiosity as a diffuse surface.
+    /// Radiosity as a Lambertian surface.
     const float* radiosity(std::uint32_t target, Origin origin) const {
         return row(target, 2 * origin_count + static_cast<std::size_t>(origin));
     }
-    /// The same taken apart.
+    /// The same by term.
     const float* sent(std::uint32_t target, std::size_t sent_row) const {
         return row(target, 3 * origin_count + sent_row);
     }

@@ -8,10 +8,10 @@
 
 namespace diurna {
 
-/// Rough mirrors whose lobe is summed, not only sampled (rough_mirror.hpp): from this roughness on.
+/// Smallest roughness of mirrors whose lobe is integrated, not only sampled (rough_mirror.hpp).
 inline constexpr double least_lobe = 1e-3;
 
-/// The lobe of a rough mirror about the way to an eye.
+/// The lobe of a rough mirror for a direction to an eye.
 class Lobe {
  public:
     /// - normal, eye: unit vectors away from the surface
@@ -28,7 +28,7 @@ class Lobe {
     struct Ray {
         Eigen::Vector3d direction;  // unit, away from the surface
         double facing = 0.0;        // cosine at the microfacet
-        double weight = 0.0;  // its mean over u, v is what a lossless surface reflects; 0: none
+        double weight = 0.0;  // its mean over u, v is a lossless surface's reflectance; 0: none
     };
     /// - u, v: uniform in [0, 1)
     Ray ray(double u, double v) const {
@@ -39,9 +39,9 @@ class Lobe {
                 std::min(1.0, facing), surface_.weight(eye_, half)};
     }
 
-    /// body(ray, its share) of some with a weight, spread evenly over the lobe.
+    /// Calls body(ray, its share) for rays with a weight, spread evenly over the lobe.
     ///
-    /// - finely: where a horizon crosses the lobe, with ground below that is not as the sky
+    /// - finely: if a horizon crosses the lobe, and the ground below differs from the sky
     template <class Body>
     void each(bool finely, const Body& body) const {
         const int rays = finely ? 768 : 192;
@@ -57,20 +57,20 @@ class Lobe {
     Eigen::Vector3d normal_, x_, y_, eye_;
 };
 
-/// Whether below the horizon the mean over the facets around stands for what a mirror sees.
+/// Whether below the horizon the mean over the surrounding facets is used as a mirror's image.
 inline bool counts_around(float sky_view, const Eigen::Vector3d& normal) {
     return 1.0f - sky_view > 1e-3f && normal.z() < 1.0 - 1e-9;
 }
 
-/// How much of the sky above a rough mirror is open. The sum over its lobe takes the background by
-/// so much and the mean of the facets around for the rest: under cover rays meet those.
+/// Open share of the sky above a rough mirror. The integral over its lobe weights the background by
+/// this share and the mean of the surrounding facets by the rest.
 inline float open_sky(float sky_view, const Eigen::Vector3d& normal) {
     const auto whole = static_cast<float>(0.5 * (1.0 + normal.z()));
     const bool hidden = 1.0f - sky_view > 1e-3f && whole > 1e-3f;
     return hidden ? std::min(1.0f, sky_view / whole) : 1.0f;
 }
 
-/// Cosine at the microfacet that sends light from one direction into another.
+/// Cosine at the microfacet that reflects light from one direction into another.
 inline double facing_between(const Eigen::Vector3d& eye, const Eigen::Vector3d& light) {
     return std::sqrt(0.5 * std::max(0.0, 1.0 + eye.dot(light)));
 }

@@ -9,20 +9,20 @@
 
 namespace diurna {
 
-/// Adds what rough mirrors show at large (rough_mirror.hpp) to the light of a pixel's secondary
-/// rays, and takes from what rays off them meet what is shown of it already.
+/// Adds the lobe integrals of rough mirrors (rough_mirror.hpp) to the light of a pixel's secondary
+/// rays, and subtracts the part already included from the hits of their reflected rays.
 class LobeLight {
  public:
     LobeLight(const SecondaryTables& tables, const RoughMirrors& rough);
 
     bool has(const SecondaryRay& secondary) const { return rough_.has(secondary); }
     void begin(const SecondaryRows& rows);
-    /// What a rough mirror shows of the background and, by their mean, of the facets around.
+    /// Lobe integral of a rough mirror: background and mean of the surrounding facets.
     void add(std::size_t mirror, SecondaryRows& rows);
-    /// Takes away what the sum over the lobe has for what a ray off a rough mirror meets.
+    /// Subtracts the lobe integral's value from a hit of a ray reflected by a rough mirror.
     void take_expected(std::size_t i, SecondaryRows& rows);
-    /// Of the light that a rough mirror sends on, the share of the ray to a secondary ray, (lane):
-    /// past the secondary rays before.
+    /// Share of the light reflected by a rough mirror that belongs to the ray to a secondary ray,
+    /// (lane): with the attenuation by earlier secondary rays.
     void pass(std::size_t i, SecondaryRows& rows) const;
 
  private:

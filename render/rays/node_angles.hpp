@@ -10,13 +10,13 @@ namespace diurna {
 
 // Optics by angle at a band's nodes, for the sum over nodes (secondary_radiance.hpp).
 
-/// directional_optics() of the nodes; an index of refraction that does not change with wavelength
-/// is evaluated once.
+/// directional_optics() of the nodes; an index of refraction that is constant over wavelength is
+/// evaluated once.
 std::vector<DirectionalOptics> optics_at_nodes(const Material& material, const Band& band,
                                                double cosine);
 /// The diffuse optics' mean over the hemisphere, node by node: midpoints.
 std::vector<double> mean_diffuse_at_nodes(const Material& material, const Band& band);
-/// What one of the microfacets of a rough surface mirrors, (node).
+/// Reflectance of one microfacet of a rough surface, (node).
 std::vector<double> facing_at_nodes(const Material& material, const Band& band, double cosine);
 
 }  // namespace diurna

@@ -16,23 +16,23 @@ struct NodeLobe {
     bool sees_facets = false;
 };
 
-/// What rough mirrors show at large, node by node: the reference of LobeLight.
+/// Lobe integrals of rough mirrors, node by node: the reference of LobeLight.
 class NodeLobes {
  public:
-    /// - scattered: null: the air scatters no sunlight
+    /// - scattered: null: no scattered sunlight
     NodeLobes(const Band& band, const RadianceInput& input, const ScatteredSun* scattered,
               double eye_km)
         : band_(band), input_(input), scattered_(scattered), eye_km_(eye_km) {}
 
     bool is_rough(const SecondaryRay& secondary) const;
     NodeLobe sum(const SecondaryRay& mirror) const;
-    /// Adds what a mirror shows of the background and the facets around as it arrives at the eye.
+    /// Adds a mirror's image of the background and the surrounding facets as it arrives at the eye.
     void add(const SecondaryRay& mirror, const NodeLobe& lobe, std::vector<double>& light) const;
-    /// Takes away what of that stands for what a ray off it meets.
+    /// Subtracts the part of it that belongs to the hit of a reflected ray.
     void take_expected(const SecondaryRay& mirror, const NodeLobe& lobe,
                        const Eigen::Vector3d& direction, std::vector<double>& light) const;
 
-    /// The background towards a direction from a height as it arrives past `onward`.
+    /// The background in a direction from a height, attenuated by `onward`.
     std::vector<double> background(const Eigen::Vector3d& to, double from_km,
                                    const SightLine& onward) const;
     SightLine line_to(const SecondaryRay& secondary) const;

@@ -13,22 +13,22 @@
 namespace diurna {
 
 /// Gas or smoke of one temperature and density inside a closed mesh. It emits and absorbs by
-/// Beer-Lambert's law along the chord, τ = exp(−k(λ) s), and scatters nothing; it neither shades
-/// nor warms the scene.
+/// Beer-Lambert's law along the chord, τ = exp(−k(λ) s), without scattering; it neither shades nor
+/// warms the scene.
 struct Plume {
     std::string name;
     std::vector<Eigen::Vector3d> vertex;                 // east, north, up [m]
     std::vector<std::array<std::uint32_t, 3>> triangle;  // counterclockwise seen from outside
-    Spectrum absorption;                                 // k [m⁻¹], constant beyond its ends
+    Spectrum absorption;                                 // k [m⁻¹], constant outside its range
     double temperature = 300.0;                          // [K]
 
     double absorption_at(double wavelength_um) const;
 };
 
-/// A column of smoke: a cone's frustum between two level circles of `sides` corners.
+/// A column of smoke: a frustum between two level circles of `sides` corners.
 ///
-/// base        middle of the lower circle
-/// lean        of the upper circle's middle against it, east and north [m]
+/// base        centre of the lower circle
+/// lean        offset of the upper circle's centre from it, east and north [m]
 std::vector<Eigen::Vector3d> frustum_vertices(const Eigen::Vector3d& base, double base_radius,
                                               double top_radius, double height,
                                               const Eigen::Vector2d& lean, int sides);
@@ -40,21 +40,21 @@ struct Chord {
     double from, to;  // [m] along the ray
 };
 
-/// All plumes of a scene, ready for rays. Throws InputError for a mesh that is not closed.
+/// All plumes of a scene, prepared for rays. Throws InputError for a mesh that is not closed.
 class PlumeScene {
  public:
     explicit PlumeScene(std::span<const Plume> plumes);
 
-    /// The chords of a ray up to `far`, by their beginning. A ray may start inside.
+    /// The chords of a ray up to `far`, by their start. A ray may start inside.
     std::vector<Chord> chords(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                               double far) const;
-    /// A sphere around each plume: middle and radius.
+    /// A sphere around each plume: centre and radius.
     struct Sphere {
         Eigen::Vector3d middle;
         double radius;
     };
     std::span<const Sphere> spheres() const { return spheres_; }
-    /// [m⁻¹] of a plume, over all wavelengths
+    /// [m⁻¹] of a plume, maximum over all wavelengths
     double greatest_absorption(std::uint32_t plume) const { return greatest_[plume]; }
 
  private:

@@ -6,12 +6,12 @@ namespace diurna {
 
 class PathTable;
 
-/// How the light of secondary rays is worked out.
+/// How the light of secondary rays is computed.
 struct SecondaryOptions {
     int bounces = all_bounces;  // of light between surfaces (bounces.hpp)
     double tolerance = 1e-3;    // [K] of the tables, in apparent temperature
-    bool by_term = true;        // the terms of a facet's radiance one by one
-    /// Of the whole picture: used where it reaches as far as the secondary rays do.
+    bool by_term = true;        // the terms of a facet's radiance separately
+    /// Of the whole picture: used if it covers the secondary rays.
     const PathTable* path = nullptr;
 };
 

@@ -9,9 +9,9 @@
 
 namespace diurna {
 
-/// Band radiance [W m⁻² sr⁻¹] of a pixel's secondary rays, secondary ray by secondary ray and node
-/// by node: the reference that the tables of SecondaryLight are measured against. `pixel` counts
-/// the pixels of `secondary rays`. The program itself does not call it; the tests do.
+/// Band radiance [W m⁻² sr⁻¹] of a pixel's secondary rays, one by one and node by node: the
+/// reference for the tables of SecondaryLight. `pixel` counts the pixels of `secondary rays`. Used
+/// by the tests only.
 double secondary_radiance(const SecondaryRays& secondary_rays, std::size_t pixel,
                           std::span<const Plume> plumes, const Band& band,
                           const RadianceInput& input, const ScatteredSun* scattered = nullptr);

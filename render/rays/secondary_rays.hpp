@@ -9,32 +9,32 @@
 
 namespace diurna {
 
-/// One thing that a ray meets on its way through panes, nets and plumes and off mirrors.
+/// One hit of a ray on its path through panes, nets and plumes and off mirrors.
 struct SecondaryRay {
     enum class Kind : std::uint8_t { facet, plume, sky };
-    enum class Way : std::uint8_t { direct, through, mirrored };  // past the one before
+    enum class Way : std::uint8_t { direct, through, mirrored };  // after the one before
 
     Kind kind = Kind::sky;
     Way way = Way::direct;
-    bool closed = false;     // facet: rays end here, whatever it is made of
-    bool straight = true;    // on the line of sight: no mirror on the way
+    bool closed = false;     // facet: rays end here, whatever its material
+    bool straight = true;    // on the line of sight: no mirror in the path
     std::uint32_t what = 0;  // index of the facet or plume
     std::int32_t before =
         -1;  // the secondary ray before, counted in the pixel's own list; −1: the eye
     float weight = 0.0f;  // share of the pixel
-    float range = 0.0f;   // [m] along the way; plume: to its middle
+    float range = 0.0f;   // [m] along the path; plume: to its middle
     float height = 0.0f;  // [m] above the origin's level surface
     float cosine = 1.0f;  // facet: of the angle to its normal
     float chord = 0.0f;   // plume [m]
-    Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the ray that arrives
+    Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the incoming ray
 };
 
-/// What the rays of those pixels meet that see a pane, a net, a mirror or a plume: for a static
-/// view found once, as View.
+/// Hits of the rays of pixels that see a pane, a net, a mirror or a plume: for a static view
+/// computed once, like View.
 struct SecondaryRays {
     std::vector<std::uint32_t> pixel;  // ascending
     std::vector<std::uint32_t> row;  // (pixel + 1) secondary rays of pixel k: [row[k], row[k + 1])
-    std::vector<SecondaryRay> secondary;  // of a pixel: one before those behind it
+    std::vector<SecondaryRay> secondary;  // of a pixel: each before those behind it
     double observer_height = 0.0;         // [m] above the origin's level surface
 
     bool empty() const { return secondary.empty(); }
@@ -45,7 +45,7 @@ struct SecondaryRays {
 
 /// Every facet in the secondary rays, ascending, each once.
 std::vector<FacetId> facets_of(const SecondaryRays& secondary_rays);
-/// What a picture sees: the targets of its view, then facets_of() the secondary rays.
+/// Facets in a picture: the targets of its view, then facets_of() the secondary rays.
 std::vector<FacetId> seen_facets(std::span<const FacetId> targets,
                                  const SecondaryRays& secondary_rays);
 

@@ -11,31 +11,30 @@
 
 namespace diurna {
 
-/// How the light of a pixel's secondary rays is summed: all in one, by what it counts as, or by
-/// what each secondary ray sends.
+/// How the light of a pixel's secondary rays is summed: in total, by term, or separately for each
+/// secondary ray.
 enum class SumOfSecondaryRays { whole, by_term, by_secondary };
 
-/// What is known of the secondary rays of one pixel while their light is summed, in rows of lanes
-/// (secondary_tables.hpp). Its memory is kept from pixel to pixel.
+/// Working data for the light of one pixel's secondary rays, in rows of lanes
+/// (secondary_tables.hpp). Memory is reused from pixel to pixel.
 struct SecondaryRows {
     SecondaryRows(const SecondaryTables& tables, SumOfSecondaryRays how)
         : lanes(tables.lanes.size()), apart(how) {}
 
-    /// Of a secondary ray by itself: its terms, then what it mirrors at large (LobeLight).
+    /// Of a single secondary ray: its terms, then its lobe integral (LobeLight).
     static constexpr std::size_t mirrored = term_count, rows_of_secondary = term_count + 1;
 
     std::size_t lanes;
     SumOfSecondaryRays apart;
     std::span<const SecondaryRay> list;  // of the pixel
-    std::size_t first = 0;               // secondary ray of the list among all
+    std::size_t first = 0;               // index among all of the list's first secondary ray
     std::vector<float> passed,
-        radiance;  // (secondary ray, lane) past the secondary rays before; of the air up to it
+        radiance;  // (secondary ray, lane) attenuated by earlier ones; of the air up to it
     std::vector<float> transmittance;  // (secondary ray, origin, lane) of that air
-    std::vector<Term> as;  // (secondary ray) what its light counts as; path: as what it is
+    std::vector<Term> as;              // (secondary ray) term of its light; path: its own terms
+    std::vector<double> sum;  // (term, lane) result; by secondary ray (secondary ray, row, lane)
     std::vector<double>
-        sum;  // (term, lane) what has been found; by secondary ray (secondary ray, row, lane)
-    std::vector<double>
-        sent;  // by secondary ray: (secondary ray, term, lane) as it leaves facet or plume
+        sent;  // by secondary ray: (secondary ray, term, lane) leaving facet or plume
 
     /// Begins the k-th pixel of the secondary rays.
     void begin(const SecondaryTables& tables, std::size_t k) {
@@ -63,14 +62,14 @@ struct SecondaryRows {
     const float* transmittance_to(std::size_t i, Origin origin) const {
         return &transmittance[(i * origin_count + static_cast<std::size_t>(origin)) * lanes];
     }
-    /// Where light of a secondary ray that is a term of its own is summed.
+    /// Destination for a secondary ray's light of a term.
     double* row(std::size_t i, Term own) {
         if (apart == SumOfSecondaryRays::by_secondary)
             return row_of_secondary(i, static_cast<std::size_t>(own));
         const Term t = as[i] == Term::path ? own : as[i];
         return &sum[apart == SumOfSecondaryRays::by_term ? static_cast<std::size_t>(t) * lanes : 0];
     }
-    /// The same of what a rough mirror shows at large.
+    /// The same for a rough mirror's lobe integral.
     double* mirrored_row(std::size_t i, Term own) {
         return apart == SumOfSecondaryRays::by_secondary ? row_of_secondary(i, mirrored)
                                                          : row(i, own);
@@ -78,7 +77,7 @@ struct SecondaryRows {
     double* row_of_secondary(std::size_t i, std::size_t row) {
         return &sum[(i * rows_of_secondary + row) * lanes];
     }
-    /// Where light of a secondary ray is summed as it leaves it; null: it is not.
+    /// Destination for a secondary ray's light as it leaves it; null: not needed.
     double* leaving(std::size_t i, Term own) {
         if (apart != SumOfSecondaryRays::by_secondary) return nullptr;
         return &sent[(i * term_count + static_cast<std::size_t>(own)) * lanes];

@@ -9,17 +9,17 @@
 
 namespace diurna {
 
-/// Samples by need for pixels whose rays are followed: panes, nets, mirrors, plumes.
+/// Adaptive sampling of pixels whose rays are followed: panes, nets, mirrors, plumes.
 struct SecondarySampling {
     AdaptiveOptions options;
-    std::span<const Appearance> appearances;  // as of cast_adaptive_view()
+    std::span<const Appearance> appearances;  // as in cast_adaptive_view()
 };
 
-/// What one sample of a pixel shows of each appearance, roughly [K]: what facets let through and
-/// mirror at 10 µm and the angle they are met at, times what lies behind and in them; the rest is
-/// their own. Where a rough mirror's rays escape, the sky; plumes let everything through.
+/// Approximate value of one sample of a pixel for each appearance [K]: transmitted and mirrored
+/// shares of facets at 10 µm and their viewing angle, times what is behind and in them; the rest is
+/// their own. Sky where a rough mirror's rays escape; plumes are transparent.
 ///
-/// - sample: its secondary rays, one before those behind it
+/// - sample: its secondary rays, each before those behind it
 void sample_values(const SecondaryScene& scene, std::span<const SecondaryRay> sample,
                    std::span<const Appearance> appearances, std::vector<double>& value);
 

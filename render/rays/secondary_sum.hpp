@@ -11,16 +11,16 @@
 
 namespace diurna {
 
-/// Sums the light of one pixel of the secondary rays after another (secondary_light.hpp). For one
+/// Sums the light of the secondary rays' pixels one after another (secondary_light.hpp). For one
 /// thread.
 class SecondarySum {
  public:
     SecondarySum(const SecondaryTables& tables, const RoughMirrors& rough,
                  SumOfSecondaryRays apart);
 
-    /// Finds what the secondary rays of the k-th pixel send; see rows().
+    /// Computes the light of the secondary rays of the k-th pixel; see rows().
     void look(std::size_t k);
-    /// Adds the k-th pixel of the secondary rays to its place in the planes: (band, term) or
+    /// Adds the k-th pixel of the secondary rays to its position in the planes: (band, term) or
     /// (band).
     void add(std::size_t k, std::span<std::vector<float>> planes);
     const SecondaryRows& rows() const { return rows_; }

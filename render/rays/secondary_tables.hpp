@@ -19,20 +19,19 @@
 
 namespace diurna {
 
-/// The background as mirrors show it to the eye, over the transmittance of the air before them, at
-/// a few ranges of theirs.
+/// The background in mirrors as it arrives at the eye, divided by the transmittance of the air in
+/// front of them, at a few ranges of the mirrors.
 struct MirroredBackground {
     std::vector<std::vector<BackgroundChannels>> at;  // (range)(band): 0, 1, 3 or 5 ranges
     double root_low = 0.0, root_step = 1.0;           // of range^⅓ [m^⅓]
 };
 
-/// All that the secondary rays of a view need at an instant before any pixel is looked at, in the
-/// channels of all bands side by side (lanes): so that a secondary ray's place in a table is found
+/// Tables for the secondary rays of a view at an instant that do not depend on the pixel, in the
+/// channels of all bands side by side (lanes), so that a secondary ray's table position is computed
 /// once for all of them.
 struct SecondaryTables {
-    /// - light: of a scene whose lit facets were handed in with those of the secondary rays,
-    /// facets_of(), from
-    ///   the place `first` on
+    /// - light: of a scene whose lit facets include those of the secondary rays, facets_of(),
+    ///   from index `first` on
     SecondaryTables(const SecondaryRays& secondary_rays, std::span<const Plume> plumes,
                     const SceneLight& light, std::size_t first, const SecondaryOptions& options);
     SecondaryTables(const SecondaryTables&) = delete;  // its tables refer to each other
@@ -53,25 +52,25 @@ struct SecondaryTables {
     std::vector<std::vector<float>> room;        // (material)(lane) τ B of the room behind
     std::vector<std::vector<float>> absorption;  // (plume)(lane) [m⁻¹]
     std::vector<std::vector<float>> glow;        // (plume)(lane) B(T)
-    /// (height of LitFacets)(lane) irradiance of the sun, and with what is scattered next to it
+    /// (height of LitFacets)(lane) irradiance of the sun, without and with the circumsolar light
     std::array<std::vector<float>, 3> sun, sun_and_aureole;
-    std::vector<BackgroundChannels> from_eye;  // (band), where some secondary ray sees it
+    std::vector<BackgroundChannels> from_eye;  // (band), if some secondary ray sees it
     MirroredBackground mirrored;
-    /// (band) sunlight scattered before places on the line of sight
+    /// (band) sunlight scattered in front of points on the line of sight
     std::vector<std::optional<ScatteredPath>> scattered_path;
 
-    /// Radiance of the background in a direction, (lane), seen straight.
+    /// Radiance of the background in a direction, (lane), seen directly.
     void background_towards(const Eigen::Vector3d& direction, std::span<float> out) const;
-    /// The same in a mirror at a range [m]: times the transmittance of the air before the mirror,
-    /// what arrives at the eye, both ways being one path.
+    /// The same in a mirror at a range [m]: what arrives at the eye, with both parts of the path
+    /// joined, divided by the transmittance of the air in front of the mirror.
     void mirrored_background(const Eigen::Vector3d& direction, float range,
                              std::span<float> out) const;
-    /// Index of a target among the facets lit.
+    /// Index of a target among the lit facets.
     std::uint32_t lit_index(std::uint32_t of_target) const { return lit.target[first + of_target]; }
     const Material& material(const SecondaryRay& secondary) const {
         return input.materials[input.facets.material[secondary.what]];
     }
-    /// Whether a secondary ray is a facet that mirrors into a lobe (rough_mirror.hpp).
+    /// Whether a secondary ray is a facet that reflects into a lobe (rough_mirror.hpp).
     bool is_rough_mirror(const SecondaryRay& secondary) const;
 
  private:

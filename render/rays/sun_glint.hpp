@@ -10,9 +10,9 @@
 
 namespace diurna {
 
-/// The sun in a rough mirror: D G π / (4 cosθ_eye cosθ_sun), to be multiplied with what a
-/// microfacet reflects at the angle half-way, with sunlight_on() and irradiance (microfacet.hpp; of
-/// water that is Cox & Munk's glitter). The sun's disc, of 0.2666° radius, widens the lobe: half of
+/// The sun in a rough mirror: D G π / (4 cosθ_eye cosθ_sun), to be multiplied by a microfacet's
+/// reflectance at the half angle, by sunlight_on() and by irradiance (microfacet.hpp; for water
+/// this is Cox & Munk's glitter). The sun's disc, of 0.2666° radius, widens the lobe: by half of
 /// that for the half vector. Zero from behind.
 ///
 /// - normal, eye, to_sun: unit vectors away from the surface

@@ -15,7 +15,7 @@
 
 namespace diurna {
 
-/// The scene as rays meet it.
+/// The scene for tracing secondary rays.
 struct SecondaryScene {
     const RayScene& rays;
     const FacetSet& facets;
@@ -30,10 +30,10 @@ struct SecondaryScene {
     bool needs_rays(FacetId facet) const { return material(facet).needs_rays(); }
 };
 
-/// Where in the lobe of the first rough mirror a ray goes on.
+/// Rays in the lobe of the first rough mirror.
 struct LobeRays {
-    int count = 1;  // that share its weight
-    /// Of the first in the lobe's u and v, and from one to the next, modulo 1. Negative: by chance.
+    int count = 1;  // number that share its weight
+    /// Of the first in the lobe's u and v, and increment, modulo 1. Negative: random.
     std::array<double, 2> first = {-1.0, -1.0}, step = {0.0, 0.0};
 };
 
@@ -44,14 +44,15 @@ struct EyeRay {
     LobeRays lobe{};
 };
 
-/// Follows one ray to its ends and adds what it meets to `out`, a secondary ray before those behind
-/// it, each with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one
-/// ray (the first rough one `lobe.count`) into its lobe, twice at most, with the weight of the
-/// microfacet that it meets (microfacet.hpp) but for Fresnel's factor; off a rough one into the sky
-/// it is left out, as the lobe's sum has it (rough_mirror.hpp). What is met after that is closed:
-/// it mirrors as if diffuse and shows its own temperature. A textured facet where a ray ends is two
-/// secondary rays that share the weight; one that lets rays go on is one of its two surfaces by
-/// chance.
+/// Follows one ray to its ends and adds its hits to `out`, a secondary ray before those
+/// behind it, each with its weight. Behind panes and nets it continues, up to 8 times.
+/// A mirror sends one ray (the first rough one `lobe.count`) into its lobe, at most
+/// twice, with the microfacet's weight (microfacet.hpp) without Fresnel's factor; a ray
+/// from a rough one into the sky is omitted, as in the lobe integral
+/// (rough_mirror.hpp). Hits after that are closed: they reflect as if diffuse and
+/// transmit their own temperature. A textured facet at the end of a ray becomes two
+/// secondary rays that share the weight; if rays continue behind it, one of its two
+/// surfaces at random.
 void walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
           std::vector<SecondaryRay>& out);
 

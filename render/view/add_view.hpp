@@ -6,8 +6,8 @@
 
 namespace diurna {
 
-/// Two views of one observer as one, each pixel by shares of either. Targets of both are kept,
-/// those of `more` behind those of `view`.
+/// Combines two views of one observer, each pixel with a share of each. Targets of both are
+/// retained, those of `more` after those of `view`.
 ///
 /// - share: (pixel) of `more`, 0 to 1; where it is 0 the pixel is as in `view`
 void add_view(View& view, const View& more, std::span<const float> share);

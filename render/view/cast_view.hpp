@@ -7,9 +7,9 @@
 
 namespace diurna {
 
-/// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends
-/// on (seed, pixel, sample) alone, and one through its centre. The same for any number of threads.
-/// Averaging ranges over a pixel is the only loss.
+/// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a position that
+/// depends only on (seed, pixel, sample), and one through its centre. The same for any number of
+/// threads. The only loss is the averaging of ranges over a pixel.
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options = {});
 

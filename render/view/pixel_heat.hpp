@@ -8,32 +8,32 @@
 
 namespace diurna {
 
-/// (facet that rays know) [K] By how much it is warmer in the whole sun than in the shade: slope of
-/// the straight line (least squares) through shares of the sun and temperatures of it and of those
-/// about it that have a corner in common, lie in its plane to 10° and are of its material. Held
-/// within 0 and what keeps both ends within these facets' temperatures; of thin sheets, which
-/// follow the sun within minutes, within what the sun can warm them, as of large facets none may be
-/// wholly in the shade. 0 where `crossed` is. What comes out of a shadow counts as warm as what is
-/// long out of it: only the present sun is known.
+/// (facet known to rays) [K] Temperature difference between full sun and shade: slope of the line
+/// (least squares) through sunlit shares and temperatures of the facet and of its neighbours with a
+/// common corner, in its plane to 10° and of its material. Limited to at least 0 and to the range
+/// of these facets' temperatures; for thin sheets, which follow the sun within minutes, to the
+/// possible effect of the sun, as of large facets none may be entirely in the shade. 0 unless
+/// `crossed`. A part that has just left the shadow has the temperature of a part long in the sun:
+/// only the present sun is considered.
 ///
-/// - crossed: (facet) of the first so many
+/// - crossed: (facet) for the first ones
 /// - share: (facet) of the sun; temperature: (facet) [K]
 std::vector<float> kelvins_of_sun(const FacetSet& facets, std::span<const std::uint8_t> crossed,
                                   std::span<const float> share, std::span<const float> temperature,
                                   std::span<const float> most);
 
-/// (facet) [K] By how much the whole sun can warm facets that follow it at once, whose layers hold
-/// less than 15 kJ m⁻² K⁻¹ (ten minutes at 25 W m⁻² K⁻¹): absorbed sunlight of 1000 W m⁻² over what
-/// its faces send by heat radiation and by a film of 4 W m⁻² K⁻¹ or the constant one it has. 0 of
-/// all others.
+/// (facet) [K] Largest effect of full sun on facets that respond immediately, with layers of less
+/// than 15 kJ m⁻² K⁻¹ (ten minutes at 25 W m⁻² K⁻¹): absorbed sunlight of 1000 W m⁻² over the heat
+/// transfer of its faces by radiation and by a film of 4 W m⁻² K⁻¹, or its constant film. 0 for all
+/// others.
 std::vector<float> most_kelvins_of_sun(const FacetSet& facets, const MaterialLibrary& materials,
                                        const Eigen::Vector3d& to_sun,
                                        std::span<const float> temperature);
 
-/// Sets how much warmer than their facets' mean pixels are: that times their share of the sun less
-/// the facet's, so that the facet's mean stays.
+/// Sets the temperature difference of pixels from their facets' mean: that slope times the pixel's
+/// share of the sun minus the facet's, so that the facet's mean is unchanged.
 ///
-/// Levels of a texture go by those of their own material.
+/// Levels of a texture use the slopes of their own material.
 ///
 /// - temperature: (facet) [K]
 void set_pixel_heat(const View& view, const SunOverFacets& sun, const MaterialLibrary& materials,

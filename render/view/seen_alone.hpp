@@ -9,16 +9,16 @@
 
 namespace diurna {
 
-/// Pixels whose centre an object covers if nothing stands before it.
+/// Pixels whose centre an object covers, ignoring everything in front of it.
 struct SeenAlone {
-    double inside = 0.0;   // the picture
+    double inside = 0.0;   // outside its edges, if it were larger
     double outside = 0.0;  // where the picture would be if it went on beyond its edges
 };
 
-/// Counts them within `box`, by a ray through each pixel's centre; beyond the
-/// picture's edges, of boxes of more than 4 million pixels, by one in each square of them.
+/// Counts them within `box`, by a ray through each pixel's centre; outside the picture's edges, for
+/// boxes of more than 4 million pixels, by one in each square of them.
 ///
-/// - alone: the object's facets and nothing else
+/// - alone: only the object's facets
 SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const PictureBox& box);
 
 }  // namespace diurna

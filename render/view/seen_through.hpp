@@ -9,13 +9,13 @@
 
 namespace diurna {
 
-/// What is behind panes and nets at pixels' centres, straight on: of every pixel whose centre is a
-/// facet that lets light through, the first other object behind it, the ground (0) among them; −1
-/// where there is none, where what lies before it lets pass less than `least`
-/// together, and at all other pixels.
+/// Objects behind panes and nets at pixels' centres, on the line of sight: for every pixel whose
+/// centre is a transparent facet, the first other object behind it, the ground (0) included; −1
+/// without one, if everything in front of it transmits less than `least` in total, and at all other
+/// pixels.
 ///
 /// - facets: as the rays and View::centre number them
-/// - passed: (material) share that goes on behind it; 0: opaque
+/// - passed: (material) transmitted share; 0: opaque
 /// - returns (pixel) numbers of objects; empty where no centre is such a facet
 std::vector<int> seen_through(const View& view, const RayScene& rays, const FacetSet& facets,
                               const Observer& observer, std::span<const double> passed,

@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// The directions in which some pixels see sky, gathered to be turned into angles side by side.
+/// Directions in which pixels see sky, collected for vectorised conversion to angles.
 struct SkyDirections {
     std::vector<std::uint32_t> pixel;
     std::vector<float> x, y, z;             // east, north, up; of any length
@@ -30,7 +30,7 @@ struct SkyDirections {
     }
 };
 
-/// Zenith angle of each, and azimuth of the pixel's middle counted from `axis_azimuth_deg`, −180 to
+/// Zenith angle of each, and azimuth of the pixel's centre relative to `axis_azimuth_deg`, −180 to
 /// 180. Within 2e-5° (arctangent by Abramowitz & Stegun 4.4.49).
 void sky_angles(const SkyDirections& directions, double axis_azimuth_deg,
                 std::vector<float>& zenith_deg, std::vector<float>& azimuth_deg);
@@ -38,7 +38,7 @@ void sky_angles(const SkyDirections& directions, double axis_azimuth_deg,
 /// Adds up the directions of a bundle's first `used` lanes that hit nothing, in a fixed order.
 ///
 /// sum      (3) x, y, z, added to
-/// returns  how many they are
+/// returns  their number
 std::uint32_t add_open_lanes(const RayBundles& rays, std::size_t bundle, std::size_t used,
                              float* sum);
 

@@ -25,7 +25,7 @@ inline std::size_t tile_count(const View& view) {
     return ((std::size_t(view.width) + tile_size - 1) / tile_size) *
            ((std::size_t(view.height) + tile_size - 1) / tile_size);
 }
-/// That of tile t, of 32 x 32 pixels; they are counted row by row.
+/// The area of tile t, of 32 x 32 pixels; they are counted row by row.
 inline Area tile_area(const View& view, std::size_t t) {
     const auto width = static_cast<std::size_t>(view.width);
     const auto height = static_cast<std::size_t>(view.height);
@@ -34,7 +34,7 @@ inline Area tile_area(const View& view, std::size_t t) {
     return {x0, std::min(width, x0 + tile_size), y0, std::min(height, y0 + tile_size)};
 }
 
-/// A tile goes block by block, so that rays near each other follow each other.
+/// A tile is processed block by block, so that consecutive rays are close to each other.
 template <class Body>
 void each_block(const Area& area, const Body& body) {
     constexpr std::size_t block = 4;
@@ -63,16 +63,16 @@ struct SkyExtent {
     }
 };
 
-/// What a tile sees; its pixels go block by block.
+/// Targets of a tile; its pixels are processed block by block.
 struct TileView {
     TileSightings sightings;
     float near = 1e30f, far = 0.0f, low = 1e30f, high = -1e30f;  // [m] of its targets
     SkyExtent sky;
 };
 
-/// Casts the samples and the middles of tiles of a view. Sky and pixels' centres are written into
-/// the view itself, where tiles do not meet; `view` has planes of its full size. Safe to use from
-/// many threads.
+/// Casts the samples and the centres of tiles of a view. Sky and pixels' centres are written
+/// into the view itself, where tiles do not overlap; `view` has planes of its full size.
+/// Thread-safe.
 class TileCaster {
  public:
     TileCaster(const RayScene& scene, const FacetSet& facets, const Observer& observer,

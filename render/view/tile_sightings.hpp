@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// A sample's weight in a pixel, so that parts of samples are whole numbers.
+/// A sample's weight in a pixel, so that fractions of samples are integers.
 inline constexpr std::uint32_t one_sample = 1u << 16;
 
 /// Samples of a pixel that hit one facet.
@@ -21,20 +21,20 @@ struct SampleGroup {
 
 /// Sorts the sixteen samples of a bundle by facet, in the order in which each is first seen.
 ///
-/// facet    (lane) index(no_facet): nothing was hit
+/// facet    (lane) index(no_facet): no hit
 /// range    (lane) [m]; height (lane) [m]
-/// used     how many of the lanes count: the first ones
+/// used     number of lanes that count: the first ones
 /// group    room for sixteen
-/// returns  how many groups there are; their sums are taken in a fixed order
+/// returns  number of groups; their sums are taken in a fixed order
 std::size_t group_samples(const std::uint32_t* facet, const float* range, const float* height,
                           std::size_t used, SampleGroup* group);
 
-/// Adds `more` groups that stand behind the first `size` to these where they are of the same facet.
-/// Returns how many there are then.
+/// Merges `more` groups after the first `size` into these if they have the same facet. Returns the
+/// new number.
 std::size_t merge_groups(SampleGroup* groups, std::size_t size, std::size_t more);
 
-/// What the pixels of one tile see: sightings and targets as in View, targets counted from the
-/// tile's first.
+/// Sightings and targets of one tile's pixels, as in View, with targets counted from the tile's
+/// first.
 struct TileSightings {
     std::vector<Sighting> sighting;
     std::vector<std::uint32_t> end;  // (pixel of the tile) of its sightings
@@ -42,13 +42,13 @@ struct TileSightings {
     std::vector<float> range, height;
 };
 
-/// Gathers a tile's sightings pixel by pixel and names its targets. One for each thread.
+/// Collects a tile's sightings pixel by pixel and numbers its targets. One for each thread.
 class TileGatherer {
  public:
     TileGatherer();
     void start_tile();
-    /// The groups of a pixel; `share`: of it, a sample's. Pixels come by ascending place in the
-    /// tile and those skipped see nothing.
+    /// The groups of a pixel; `share`: of a sample in it. Pixels come in ascending order in the
+    /// tile; skipped ones see nothing.
     void add_pixel(std::size_t place, std::span<const SampleGroup> groups, float share);
     TileSightings finish_tile(std::size_t pixels);
 

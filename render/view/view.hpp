@@ -15,15 +15,15 @@ namespace diurna {
 struct ViewOptions {
     int samples = 16;  // a pixel: multiples of 16 fill whole ray packets
     std::uint64_t seed = 1;
-    /// Where a sample meets a textured facet it counts for the two it is a mixture of there
+    /// Where a sample meets a textured facet it counts for the two levels mixed there
     /// (textured_hit.hpp), in parts of 2^-16; null: no textures.
     const TextureLevels* texture_levels = nullptr;
-    /// (pixel) those that are not zero are cast; empty: all. The others see nothing, and pixels'
-    /// centres are not cast.
+    /// (pixel) pixels to be cast (non-zero); empty: all. The others see nothing, and their centres
+    /// are not cast.
     std::span<const std::uint8_t> asked = {};
 };
 
-/// What a pixel sees of one target.
+/// A pixel's view of one target.
 struct Sighting {
     std::uint32_t target = 0;  // index into View::facet
     float weight = 0.0f;       // share of the pixel, 0 to 1
@@ -31,7 +31,7 @@ struct Sighting {
     float higher = 0.0f;       // [m] height above the target's
 };
 
-/// Least and greatest of what a view sees.
+/// Range of a view's targets.
 struct ViewExtent {
     float near = 0.0f, far = 0.0f;  // [m] ranges of targets
     float low = 0.0f, high = 0.0f;  // [m] their heights
@@ -39,14 +39,14 @@ struct ViewExtent {
     std::array<float, 2> sky_zenith_deg{}, sky_azimuth_deg{};
 };
 
-/// What every pixel of an observer sees, cast once and good for every instant and band while
-/// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
+/// Visible facets of every pixel of an observer, cast once and valid for every instant and band
+/// while nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
 ///
-/// A target is a facet as a tile of 32 x 32 pixels sees it, or a part of it where it reaches so
-/// deep into the picture that the air in front of it is not linear in range and height: parts span
-/// at most 1/128 of an octave of range and 16 m of height. What a target sends to the eye is thus
-/// worked out once, with two slopes. Targets are numbered tile by tile as they come up, so that
-/// neighbours in the picture are neighbours in memory; a facet on a border of tiles is several.
+/// A target is a facet seen in a tile of 32 x 32 pixels, or a part of it if it is so deep that the
+/// air in front of it is not linear in range and height: parts span at most 1/128 of an octave of
+/// range and 16 m of height. So a target's radiance at the eye is computed once, with two slopes.
+/// Targets are numbered tile by tile in order of appearance, so that neighbours in the picture are
+/// neighbours in memory; a facet on a border of tiles has several.
 struct View {
     int width = 0, height = 0;
     std::size_t facets = 0;            // of the scene it was cast on
@@ -60,11 +60,11 @@ struct View {
     std::vector<float> sky;              // (pixel) share that sees no facet
     std::vector<float> sky_zenith_deg;   // (pixel) mean direction of that share; 0 if none
     std::vector<float> sky_azimuth_deg;  // (pixel) of the pixel's middle from the optical axis,
-                                         // −180 to 180; 0 where no sky
+                                         // −180 to 180; 0 without sky
     std::vector<FacetId> centre;         // (pixel) facet at the pixel's centre, or no_facet
-    std::vector<float> centre_range;     // (pixel) [m]; NaN where no facet
-    std::vector<Blend> centre_blend{};   // (pixel) what `centre` is made of; empty: no textures
-    // Of a scene with copies in whose place a facet is, or no_copy; else both are empty.
+    std::vector<float> centre_range;     // (pixel) [m]; NaN without a facet
+    std::vector<Blend> centre_blend{};   // (pixel) levels of `centre`; empty: no textures
+    // For a scene with copies: the copy a facet is in, or no_copy; else both are empty.
     Copies copies{};
     std::vector<std::uint32_t> copy{};         // (target)
     std::vector<std::uint32_t> centre_copy{};  // (pixel)
@@ -81,7 +81,7 @@ struct View {
     std::uint32_t copy_at(std::size_t pixel) const {
         return centre_copy.empty() ? no_copy : centre_copy[pixel];
     }
-    /// At a pixel's centre, of the facets it was cast on.
+    /// At a pixel's centre; `of` are the facets it was cast on.
     ObjectId object_at(const FacetSet& of, std::size_t pixel) const {
         const std::uint32_t in = copy_at(pixel);
         return in == no_copy ? of.object[index(centre[pixel])] : copies[in].object;

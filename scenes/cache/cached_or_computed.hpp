@@ -10,11 +10,11 @@
 
 namespace diurna {
 
-/// What a stage finds: as an earlier run has found it, or anew, and kept.
+/// Result of a stage: from the cache, or computed and stored.
 ///
-/// - store: null: anew
-/// - key: () of all that it is made of; asked for where there is a store
-/// - read: (bytes) what bytes_of() has written
+/// - store: null: no cache
+/// - key: () of all inputs; called if there is a store
+/// - read: (bytes) inverse of bytes_of()
 template <class T, class Key, class Read, class Find>
 T cached_or_computed(const StageStore* store, std::string_view stage, const Key& key,
                      const Read& read, const Find& find) {

@@ -5,19 +5,19 @@
 
 #include "scenes/cache/inputs.hpp"
 
-/// What a scene's temperatures were made of, for their file to say: a line "SHA-256 NAME" for the
-/// scene file, without the tables that only pictures are made of, and for each other input, the
-/// program's own data skipped.
+/// Inputs from which a scene's temperatures were computed, for their file: a line "SHA-256 NAME"
+/// for the scene file, without the tables used only by pictures, and for each other input except
+/// the program's own data.
 namespace diurna {
 
 std::string heat_made_of(const Scene& scene, const std::vector<RunInput>& inputs);
 
-/// Names of what is there and now is not what temperatures were made of.
+/// Names of inputs in `now` that differ from `then`.
 ///
-/// - then: heat_made_of() of when they were; "" reports nothing
+/// - then: heat_made_of() when the temperatures were computed; "" gives nothing
 std::vector<std::string> changed_since(const std::string& then, const std::string& now);
 
-/// The name in these lines of the scene file.
+/// Name of the scene file in these lines.
 inline constexpr const char* scene_file_name = "scene file";
 
 }  // namespace diurna

@@ -6,8 +6,9 @@
 
 namespace diurna {
 
-/// What was reported when results were found, by name: for the report of a run that takes them
-/// over.
+/// Messages of a computation, by name: for the
+/// report of a run that takes its results from the
+/// cache.
 using Messages = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace diurna

@@ -7,11 +7,11 @@
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
 
-/// What stages find as bytes, for a store on the same machine, and back: every bit is kept. What is
-/// read throws std::exception where it is too short.
+/// Results of stages as bytes, for a cache on the same machine, and back, without loss. Reading
+/// throws std::exception if the bytes are too few.
 namespace diurna {
 
-/// Temperatures, and what is to be reported of how they were found.
+/// Temperatures, and the messages of their computation.
 struct FoundHeat {
     TemperatureField temperature;
     Messages reported;

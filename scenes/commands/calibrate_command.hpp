@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// calibrate: numbers of a column file found from a measured curve.
+/// calibrate: fits numbers of a column file to a measured curve.
 void add_calibrate_verb(CLI::App& app);
 
 }  // namespace diurna

@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// What is known of a scene before anything is computed: its mistakes and warnings, and its plan.
+/// `diurna check`: a scene's mistakes and warnings, and its plan, without computing anything.
 void add_check_verb(CLI::App& app);
 void add_plan_verb(CLI::App& app);
 

@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// `diurna doctor`: versions, instruction sets, threads, where data are found.
+/// `diurna doctor`: versions, instruction sets, threads, data folders.
 void add_doctor_verb(CLI::App& app);
 
 }  // namespace diurna

@@ -7,7 +7,7 @@ class App;
 namespace diurna {
 
 /// `diurna materials [NAME]`: the library's materials, or one with every number and its source;
-/// the pages materials/LIBRARY.md and materials/library.svg.
+/// also prints the pages materials/LIBRARY.md and materials/library.svg.
 void add_materials_verb(CLI::App& app);
 
 }  // namespace diurna

@@ -6,8 +6,8 @@ class App;
 
 namespace diurna {
 
-/// `diurna model [NAME] [--detail low|medium|high] [--out FILE.obj]`: the objects that the program
-/// builds itself; one written as OBJ, its part file beside it.
+/// `diurna model [NAME] [--detail low|medium|high] [--out FILE.obj]`: the program's built-in
+/// models; writes one as OBJ, with its part file beside it.
 void add_model_verb(CLI::App& app);
 
 }  // namespace diurna

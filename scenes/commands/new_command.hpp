@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// `diurna new`: a first scene of a place, made of its elevation.
+/// `diurna new`: writes a first scene for an elevation raster.
 void add_new_verb(CLI::App& app);
 
 }  // namespace diurna

@@ -7,7 +7,7 @@ class App;
 namespace diurna {
 
 /// `diurna path`: transmittance and radiance of one path through the air, by the embedded model or
-/// by a MODTRAN 5 of the user's.
+/// by the user's MODTRAN 5.
 void add_path_verb(CLI::App& app);
 
 }  // namespace diurna

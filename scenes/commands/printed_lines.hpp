@@ -8,7 +8,7 @@ namespace diurna {
 /// To stderr, a line each: "note: ...", without control characters.
 void print_notes(const std::vector<std::string>& notes);
 
-/// The same of what is implausible: "warning: ...".
+/// The same for warnings: "warning: ...".
 void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace diurna

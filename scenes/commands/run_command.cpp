@@ -75,6 +75,7 @@ void run_one(Scene scene, const JobOptions& job) {
                number_of(report.frames_rendered, "frame"), number_of(report.files.size(), "file"),
                seconds, (job.out / "report.html").string());
     // Files of the folder, then approximations and their size, then what to check.
+    if (!report.resumed.empty()) print_notes({report.resumed});
     print_notes(report.remade);
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
     print_notes(report.notes);

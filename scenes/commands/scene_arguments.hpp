@@ -15,7 +15,7 @@ class App;
 
 namespace diurna {
 
-/// Options that verbs working on a scene share.
+/// Options shared by verbs that work on a scene.
 struct SceneArguments {
     std::filesystem::path scene;
     std::vector<std::string> settings;
@@ -28,25 +28,25 @@ struct SceneArguments {
     /// Sets the number of threads. Throws InputError.
     Scene read() const;
     ProgressStyle style() const;
-    /// [bytes] 0: what the machine has. Throws InputError.
+    /// [bytes] 0: the machine's memory. Throws InputError.
     double memory() const;
-    /// Of what earlier runs have found; null: all is to be recomputed.
+    /// The cache of earlier results; null: everything is recomputed.
     std::shared_ptr<const StageStore> stages() const;
 };
 
-/// A note of a scene with a [sweep], for verbs that know no variants.
+/// A note on a scene with a [sweep], for verbs that ignore variants.
 void tell_of_sweep(const Scene& scene);
 
-/// The options --only and --band of a verb that makes pictures, read into `only` as
-/// PictureChoice::only has it.
+/// The options --only and --band of a verb that makes pictures, read into `only` in the format of
+/// PictureChoice::only.
 ///
-/// - more: is said of --only besides
+/// - more: additional help text of --only
 void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
                 const std::string& more = "");
 
-/// The arguments of a verb, read into what is returned.
+/// The arguments of a verb, read into the returned object.
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb);
-/// Likewise of one that takes what earlier runs have found.
+/// The same for a verb that uses cached results.
 std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb);
 
 }  // namespace diurna

@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// `diurna slurm`: scripts by which a cluster's nodes share a run. Throws InputError.
+/// `diurna slurm`: scripts to distribute a run over a cluster's nodes. Throws InputError.
 void add_slurm_verb(CLI::App& app);
 
 }  // namespace diurna

@@ -6,7 +6,7 @@ class App;
 
 namespace diurna {
 
-/// Temperatures of a scene alone, into a file. Throws InputError for what it cannot use.
+/// Computes only the temperatures of a scene, into a file. Throws InputError for unusable input.
 void add_solve_verb(CLI::App& app);
 
 }  // namespace diurna

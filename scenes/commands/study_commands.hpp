@@ -14,8 +14,8 @@ namespace diurna {
 /// (scenes/studies/asked_studies.hpp).
 void add_study_verbs(CLI::App& app);
 
-/// What studies have found, and the files in a folder that have it all. Throws std::runtime_error
-/// where a heat balance has not converged.
+/// Prints the results of studies, and the files in a folder with all of them. Throws
+/// std::runtime_error if a heat balance has not converged.
 void tell(const StudyFindings& found, const std::filesystem::path& out);
 
 }  // namespace diurna

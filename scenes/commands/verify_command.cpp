@@ -20,6 +20,10 @@ void add_verify_verb(CLI::App& app) {
     verb->callback([folder] {
         const std::vector<std::string> lines = verify(*folder);
         for (const std::string& line : lines) fmt::print("{}\n", line);
+        if (lines.size() == 1 && lines.front().find("not complete") != std::string::npos) {
+            throw std::runtime_error(
+                fmt::format("{}: incomplete; its files are unchanged so far", folder->string()));
+        }
         if (!lines.empty()) {
             throw std::runtime_error(fmt::format("{}: {} missing or changed", folder->string(),
                                                  number_of(lines.size(), "file")));

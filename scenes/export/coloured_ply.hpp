@@ -8,9 +8,9 @@
 namespace diurna {
 
 /// The triangles at one instant as PLY (binary), each with its temperature [K] and a colour of the
-/// scale of pictures (1st to 99th percentile of the facets, whole degrees); vertices are east,
-/// north, up [m] of the site, which comments tell with the scale. Returns the scale [°C]. Throws
-/// std::runtime_error where it cannot be written.
+/// pictures' scale (1st to 99th percentile of the facets, whole degrees); vertices are east, north,
+/// up [m] of the site; comments state this and the scale. Returns the scale [°C]. Throws
+/// std::runtime_error if it cannot be written.
 ColourScale write_coloured_ply(const std::filesystem::path& file, const RunHeat& heat,
                                const HeatAt& at);
 

@@ -4,16 +4,16 @@
 #include <variant>
 #include <vector>
 
-/// What `diurna inspect` has found in a file.
+/// Result of `diurna inspect` for a file.
 namespace diurna {
 
-/// A number that is not finite is reported as nothing.
+/// A number that is not finite is omitted.
 using FoundValue = std::variant<std::string, double, long long, bool>;
 
-/// One line: "size_px: 403 x 344". A name that is no plain number ends with its unit.
+/// One line: "size_px: 403 x 344". A name ends with its unit unless the value is a pure number.
 struct FoundFact {
     std::string name;
-    std::vector<FoundValue> value;  // of one; several are a list
+    std::vector<FoundValue> value;  // a single value, or a list
 };
 
 /// Rows of the same columns, such as the planes of a picture.
@@ -27,14 +27,14 @@ struct Found {
     std::string kind;  // "elevation raster"
     std::vector<FoundFact> fact{};
     std::vector<FoundTable> table{};
-    std::string next{};  // a command that goes on with the file; may be empty
+    std::string next{};  // a suggested command for the file; may be empty
 };
 
-/// Lines to read: facts, then tables with aligned columns, then what to call next. Control
-/// characters of the file are "?".
+/// Readable lines: facts, then tables with aligned columns, then the suggested command. Control
+/// characters of the file become "?".
 std::string found_text(const Found& found);
 
-/// One JSON object: kind, file, every fact under its name, every table as an array of objects,
+/// One JSON object: kind, file, every fact by its name, every table as an array of objects,
 /// next.
 std::string found_json(const std::string& file, const Found& found);
 

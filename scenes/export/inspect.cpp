@@ -9,6 +9,7 @@
 #include "materials/air/sounding_table.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "scenes/plan/sweep_folder.hpp"
 #include "terrain/raster/raster_names.hpp"
 #include "terrain/raster/zip_archive.hpp"
 #include "thermal/temperature_mesh.hpp"
@@ -96,7 +97,17 @@ Found inspect(const fs::path& file, const InspectOptions& options) {
         if (fs::is_regular_file(file / "manifest.json")) {
             return inspect_json(file / "manifest.json");
         }
-        throw InputError(file.string(), "is a folder without manifest.json, so not a run's folder");
+        const fs::path sweep = sweep_around(file);
+        if (!sweep.empty()) {
+            throw InputError(file.string(), "is a part of a sweep, which is described as a whole",
+                             fmt::format("diurna inspect {}", sweep.string()));
+        }
+        throw InputError(
+            file.string(),
+            is_sweep_folder(file)
+                ? "is the folder of a sweep that is not complete: it has no manifest.json yet"
+                : "is a folder without manifest.json, so not a run's folder",
+            variant_hint(file));
     }
     const std::string head = head_of(file), ends = small_letters(file.extension().string());
     if (head.empty()) throw InputError(file.string(), "is empty");

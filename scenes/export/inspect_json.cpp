@@ -27,7 +27,17 @@ Found manifest(const Json& json, const std::filesystem::path& file) {
     found.fact = {{"program", {json_text(json, "program")}}, {"scene", {json_text(json, "scene")}}};
     if (sweep) {
         found.fact.push_back({"variants", {size_of(json, "variants")}});
+        found.fact.push_back({"heat_balances", {size_of(json, "heats")}});
         found.next = fmt::format("diurna verify {}", folder);
+        const Json& first = json["variants"].is_array() && !json["variants"].empty()
+                                ? json["variants"].front()
+                                : Json::object();
+        if (first.is_object() && !json_text(first, "folder").empty()) {
+            found.next += fmt::format(
+                "; the pictures of each variant are in its folder: diurna movie {0}/{1}; the "
+                "temperatures: diurna export {0}/heat/{2} --to csv --out curves.csv",
+                folder, json_text(first, "folder"), json_text(first, "heat"));
+        }
         return found;
     }
     found.fact.push_back({"state", {json_text(json, "state")}});

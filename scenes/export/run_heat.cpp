@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/plan/sweep_folder.hpp"
 
 namespace diurna {
 
@@ -37,7 +38,8 @@ RunHeat load_run_heat(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder)) throw InputError(folder.string(), "no such folder");
     const std::filesystem::path file = folder / "temperatures.nc";
     if (!std::filesystem::is_regular_file(file)) {
-        throw InputError(folder.string(), "has no temperatures.nc, expected the folder of a run");
+        throw InputError(folder.string(), "has no temperatures.nc, expected the folder of a run",
+                         heat_hint(folder));
     }
     RunHeat heat{file, load_temperature_field(file), load_temperature_mesh(file)};
     if (heat.field.facets != heat.mesh.facets.size()) {

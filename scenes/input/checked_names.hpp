@@ -10,13 +10,13 @@
 
 namespace diurna {
 
-/// Which texture lies on what: by name.
+/// Textures by the name of the material or object they are on.
 struct TextureUses {
     std::map<std::string, std::string> of_object;  // the ground, polygons, buildings, objects
     std::map<std::string, std::string> of_material;
 };
 
-/// What the parts of a scene file need to know of the rest of it.
+/// Context for reading the parts of a scene file.
 struct Reading {
     ScenePlaces places;
     Names materials{.what = "material", .known = {}};
@@ -25,15 +25,15 @@ struct Reading {
     TextureUses texture_uses{};
     std::set<std::string> object_names{"ground"};
 
-    /// The key `name` of an object; a mistake if another has it.
+    /// The key `name` of an object; a mistake if the name is already used.
     std::string object(const Section& section, const char* says);
-    /// The key `texture`, which lays one on what is called `on` among `uses`.
+    /// The key `texture`, which puts one on the thing named `on` in `uses`.
     void texture(const Section& section, std::map<std::string, std::string>& uses,
                  const std::string& on) const;
 };
 
-/// The keys `class` and `labelled`: what kind of thing an object is in labels (scenes/labels), ""
-/// of one that has none.
+/// The keys `class` and `labelled`: an object's class in labels (scenes/labels), "" without
+/// labels.
 std::string class_of(const Section& section, const Or<std::string>& fallback);
 
 }  // namespace diurna

@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// The table `frames_at_sun`: a picture whenever the sun stands at an azimuth, or at an elevation.
+/// The table `frames_at_sun`: a picture whenever the sun reaches an azimuth, or an elevation.
 Frames read_frames_at_sun(const Section& section, const FrameSpan& span);
 
 }  // namespace diurna

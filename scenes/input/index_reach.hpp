@@ -9,10 +9,10 @@
 
 namespace diurna {
 
-/// A file of n and k has to reach from end to end of every band that the scene is looked at in: its
-/// first and last rows would stand for all that is beyond them. Mistakes of the material otherwise,
-/// by the band that is furthest out. Up to 4 µm of a gloss with effective_index, whose index is
-/// another beyond; not of a metal with it.
+/// A file of n and k must cover every band of the scene's pictures, because its first and last rows
+/// would be used for everything outside. Otherwise a mistake of the material, with the band that is
+/// farthest outside. For a gloss with effective_index only up to 4 µm, beyond which another index
+/// is used; not required for a metal with it.
 ///
 /// - section: a table of [material], read before as `material`
 void check_index_reach(const Section& section, const Material& material,

@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// Adds objects to the names that a key may give, each copy by its own. The name that copies have
-/// in common is taken out: beside it stands what they are called.
+/// Adds objects to the names that a key may give, each copy by its own. The common name of copies
+/// is not allowed; the remedy lists the copies' names.
 void add_objects(Names& names, const TerrainInput& terrain);
 
 }  // namespace diurna

@@ -12,8 +12,8 @@
 
 namespace diurna {
 
-/// The air between surface and eye: an AFGL profile, that of the season or a radiosonde's, made to
-/// meet the weather at the ground, or none, or a table of paths from a file, the same at every
+/// The air between surface and eye: an AFGL profile, the seasonal one or a radiosonde's, adjusted
+/// to the weather at the ground, or none, or a table of paths from a file, the same at every
 /// instant.
 struct AirInput {
     std::filesystem::path table_file;             // "": no table
@@ -21,32 +21,32 @@ struct AirInput {
     std::filesystem::path sounding_file;          // "": no radiosonde
     std::shared_ptr<const Profile> sounding;      // null: none
     bool vacuum = false;
-    bool by_season = true;  // no AFGL profile is named: scenes/world/upper_air.hpp
+    bool by_season = true;  // no AFGL profile named: scenes/world/upper_air.hpp
     std::string profile = "season";
     std::string aerosol = "rural";
     double visibility_km = 23.0;
     double co2_ppm = todays_co2_ppm;
     double cloud_base_km = 2.0;   // above the ground
     double cloud_depth_km = 0.3;  // from base to top
-    /// The heat balance takes what nobody measured of sun and sky from this air; else from the
-    /// broadband formulas of [sky]. Pictures have the light of the heat balance either way.
+    /// The heat balance takes unmeasured sun and sky from this air; else from the broadband
+    /// formulas of [sky]. Pictures use the light of the heat balance in both cases.
     bool drives_heat = true;
 };
 
 /// The section [atmosphere].
 AirInput read_air(const Section& section);
 
-/// The formulas' aerosol, where the section [sky] does not name it: that of the air's visibility.
+/// The formulas' aerosol, if the section [sky] does not name it: from the air's visibility.
 void take_haze(const AirInput& air, const Section& section, ClearSky& sky);
 
-/// A band or a cube's range that somebody is to look through the air in.
+/// The range of a band or cube that is used through the air.
 struct SeenRange {
     std::string name;
     double from_um, to_um;
 };
 
-/// A table of paths has to hold the bins of every range and, as tables have no scattered sun, none
-/// may begin below 3 µm: mistakes of `section` otherwise. Air without a table passes.
+/// A table of paths must hold the bins of every range and, as tables have no scattered sun, no
+/// range may begin below 3 µm: otherwise mistakes of `section`. Air without a table passes.
 void check_table_bands(const Section& section, const AirInput& air,
                        std::span<const SeenRange> ranges);
 

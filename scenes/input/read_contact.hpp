@@ -9,11 +9,11 @@ namespace diurna {
 
 inline constexpr const char* ground_name = "ground";
 
-/// Outer faces of a part that lie on those of another, or on the ground.
+/// Outer faces of a part that touch those of another, or the ground.
 struct ContactInput {
     std::string part, on;
     double film = 0.0;  // [W m⁻² K⁻¹]
-    double gap = 0.02;  // [m] apart at most
+    double gap = 0.02;  // [m] maximum distance
     std::string where{};
 };
 

@@ -11,15 +11,15 @@
 
 namespace diurna {
 
-/// [[contrast]]: how targets, or treatments of one, stand out from what is around them.
+/// [[contrast]]: contrast of targets, or of treatments of one, with their background.
 struct ContrastInput {
     std::string name;
     std::vector<RegionInput> targets;
     std::vector<std::size_t> observers;  // of the scene's, whose pictures are taken
     std::vector<std::string> bands;      // of all of these; beyond 3 µm
-    double ring = 1.0;                   // width of the background around, times the target's size
-    double threshold = 2.0;              // [K] above which it counts as seen
-    std::vector<double> ranges;          // [m] to which the worst contrast is taken
+    double ring = 1.0;                   // width of the background around, in target sizes
+    double threshold = 2.0;              // [K] above which it counts as detected
+    std::vector<double> ranges;          // [m] for the worst contrast
     std::string where;                   // in the scene file
 };
 

@@ -108,12 +108,13 @@ std::vector<UncertainInput> read_uncertain(const Section& section) {
     std::vector<UncertainInput> found;
     for (const Section& one : section.sections(
              "uncertain", "an uncertain value of the scene that shifts the crossover times")) {
-        found.push_back({.key = read_uncertain_key(one),
-                         .one_sigma = one.number(
-                             "one_sigma",
-                             "the key's value at +1 standard deviation, not the deviation: 1.1 "
-                             "for a factor of 1 that is 10 % uncertain"),
-                         .where = one.where()});
+        found.push_back(
+            {.key = read_uncertain_key(one),
+             .one_sigma = one.number("one_sigma",
+                                     "the key's value one standard deviation (68 %) away from the "
+                                     "scene's, not the deviation: 1.1 for a factor of 1 that is "
+                                     "uncertain by 10 %"),
+             .where = one.where()});
     }
     return found;
 }

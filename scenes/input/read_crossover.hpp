@@ -12,22 +12,22 @@
 
 namespace diurna {
 
-/// A number that is not known better than so.
+/// A number of limited accuracy.
 struct UncertainInput {
     std::string key;         // its path in the scene file
-    double one_sigma = 0.0;  // its value a standard deviation away from what the scene says
+    double one_sigma = 0.0;  // its value one standard deviation from that in the scene
     std::string where;       // in the scene file
 };
 
-/// [[crossover]]: when two of them look equally warm to an observer.
+/// [[crossover]]: when two things have the same apparent temperature for an observer.
 struct CrossoverInput {
     std::string name;
     RegionInput first, second;
     std::size_t observer = 0;        // of the scene's
     std::vector<std::string> bands;  // beyond 3 µm
     double threshold = 1.0;          // [K] below which contrast counts as lost
-    double touching = 0.1;           // [K] a least contrast below it counts as a tangent crossing
-    bool refined = true;             // solved again with half the step, to see how far they move
+    double touching = 0.1;           // [K] a smaller minimum contrast counts as a tangent crossing
+    bool refined = true;             // solved again with half the step, to measure the change
     std::vector<UncertainInput> uncertain;
     std::string where;  // in the scene file
 };

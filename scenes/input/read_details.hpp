@@ -8,23 +8,23 @@
 
 namespace diurna {
 
-/// A finer model of part of the ground (terrain/ground/dem_detail.hpp).
+/// A finer raster of part of the ground (terrain/ground/dem_detail.hpp).
 struct DetailInput {
-    std::vector<std::filesystem::path> files;  // the second and further: tiles of its lattice
+    std::vector<std::filesystem::path> files;  // the second and further: tiles on the same lattice
     DemOptions reading;
     double tolerance = 1.0;  // vertical [m]
     double blend = 20.0;     // strip within its border [m]
 };
 
-/// The keys that say how a raster is to be taken: voids, height_unit, vertical_datum.
+/// The keys for a raster: voids, height_unit, vertical_datum.
 ///
-/// - geoid: where vertical_datum does not say
+/// - geoid: default for vertical_datum
 DemOptions read_posts(const Section& section, bool geoid);
 
 /// The tables [[terrain.detail]]; mistakes are noted in the section.
 ///
-/// - tolerance: [m] of those that name none
-/// - geoid: whether [terrain] has its heights above the sea made those above the ellipsoid
+/// - tolerance: [m] default
+/// - geoid: whether [terrain] converts heights above the sea to heights above the ellipsoid
 std::vector<DetailInput> read_details(const Section& terrain, double tolerance, bool geoid);
 
 }  // namespace diurna

@@ -12,14 +12,14 @@
 
 namespace diurna {
 
-/// [[detection]]: how far one who looks at an instrument's display makes an object out.
+/// [[detection]]: ranges at which an observer of an instrument's display detects an object.
 struct DetectionInput {
     std::string name;
     StudiedObject studied;
     std::size_t instrument = 0;                   // of the scene's
     std::array<double, 2> range{100.0, 30000.0};  // [m]
-    std::vector<double> probabilities{0.5, 0.9};  // whose ranges are reported
-    bool across = false;  // Johnson's cycles over the least dimension, not the root of the area
+    std::vector<double> probabilities{0.5, 0.9};  // for which ranges are reported
+    bool across = false;          // Johnson's cycles over the smallest dimension, not √area
     std::array<double, 3> v50{};  // of detection, recognition, identification
     std::array<double, 3> n50{};
     Viewing viewing;

@@ -6,11 +6,11 @@
 
 namespace diurna {
 
-/// What a height is counted from: the ground below, the sea (of which terrain.vertical_datum says
-/// where it is), or the ellipsoid of WGS84.
+/// Reference of a height: the ground below, the sea (at the level given by terrain.vertical_datum),
+/// or the ellipsoid of WGS84.
 enum class HeightOver { ground, sea, ellipsoid };
 
-/// Height of something that stands or hangs at a place.
+/// Height of an object or eye at a place.
 struct HeightInput {
     double metres = 0.0;
     HeightOver over = HeightOver::ground;
@@ -19,15 +19,15 @@ struct HeightInput {
 /// height_above_ground_m, height_above_sea_m or height_above_ellipsoid_m: one of the three.
 ///
 /// - says: "of its eye"
-/// - fallback: above the ground, where none is given; without one that is a mistake
-/// - above_ground: what the first may be
+/// - fallback: above the ground, if none is given; without one that is a mistake
+/// - above_ground: allowed range of the first
 HeightInput read_height(const Section& section, const char* says, std::optional<double> fallback,
                         Range above_ground);
 
-/// The key by which it was given, or the first where none was.
+/// The key by which it was given, or the first one if none was.
 const char* height_key(const Section& section);
 
-/// Tells of every such key as a mistake, of something whose height is said otherwise.
+/// Reports every such key as a mistake, for things whose height is given in another way.
 void refuse_heights(const Section& section, const char* problem);
 
 }  // namespace diurna

@@ -10,21 +10,21 @@
 
 namespace diurna {
 
-/// A camera behind an observer's aperture, in one of its bands.
+/// A camera that replaces an observer's pinhole, in one of its bands.
 struct InstrumentInput {
     Instrument instrument;
     std::string observer, band;
     std::string where;      // in the scene file
-    std::string seen_band;  // of Scene::bands: by what it weighs the radiance
+    std::string seen_band;  // of Scene::bands: its weight for the radiance
 };
 
-/// The tables [[instrument]], or the one table [instrument]. Adds to `bands` what they weigh
-/// radiance by, and to each observer the bands in which it has one.
+/// The tables [[instrument]], or the one table [instrument]. Adds their weights for the radiance to
+/// `bands`, and to each observer the bands in which it has one.
 std::vector<InstrumentInput> read_instruments(const Section& root, std::uint64_t seed,
                                               std::vector<ObserverInput>& observers,
                                               std::vector<BandInput>& bands);
 
-/// [m] of an observer's pinhole before a detector of that pitch.
+/// [m] focal length of an observer's pinhole for a detector of that pitch.
 double focal_length_of(const ObserverInput& observer, double pitch);
 
 }  // namespace diurna

@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// A table [instrument]: its preset, and what the file says otherwise.
+/// A table [instrument]: its preset, and the values that the file changes.
 Instrument read_instrument(const Section& section);
 
 }  // namespace diurna

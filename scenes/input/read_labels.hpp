@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// What goes with the pictures for programs that learn from them.
+/// Labels of pictures, as training data.
 struct LabelsInput {
     int bits = 8;  // of the plain grey pictures
     GreyFormat format = GreyFormat::png;

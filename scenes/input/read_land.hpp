@@ -7,11 +7,11 @@
 
 #include "scenes/input/checked_names.hpp"
 
-/// Ground cover and footprints that a scene takes from files of its own.
+/// Ground cover and footprints that a scene reads from separate files.
 namespace diurna {
 
-/// Classes of a raster, with a material for some of them. Where it knows one it goes before the
-/// rules of slope and height; polygons and shapes go before it.
+/// Classes of a raster, with a material for some of them. These take precedence over the rules of
+/// slope and height; polygons and shapes take precedence over these.
 struct LandCoverInput {
     std::filesystem::path file;
     std::map<int, std::string> material;  // of a class
@@ -20,12 +20,12 @@ struct LandCoverInput {
 /// Polygons and lines of a vector file: ground of a material, or buildings.
 struct ShapesInput {
     std::filesystem::path file;
-    Confines confines{};                          // of the files beside it
+    Confines confines{};                          // folders of the files beside it
     std::string name;                             // of the object that its buildings are
-    std::string layer;                            // of a file of several; "": the only one
-    std::string kind_field;                       // what reports the kind of a shape
+    std::string layer;                            // in a file of several; "": the only one
+    std::string kind_field;                       // field of a shape's kind
     std::map<std::string, std::string> material;  // of a kind
-    std::string default_material;                 // of other kinds; "": these are skipped
+    std::string default_material;                 // for other kinds; "": these are skipped
     double line_width = 6.0;                      // [m] of roads
     double largest_edge = 30.0;                   // [m]
     bool buildings = false;

@@ -20,14 +20,14 @@ struct ObserverInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     HeightInput stands{.metres = 2.0};  // its eye
-    std::optional<Around> around;       // in place of those two and where it looks
-    std::string on;                     // object that it rides on, likewise: its eye is at
+    std::optional<Around> around;       // replaces those two and the viewing direction
+    std::string on;                     // object that it is mounted on, the same: its eye is at
     Eigen::Vector3d mount_place = Eigen::Vector3d::Zero();  // right, front, up of its frame [m]
-    std::string trajectory;                  // that it goes, likewise; one that rides its object's
+    std::string trajectory;                  // that it follows; if mounted, that of its object
     std::optional<Eigen::Vector2d> look_at;  // a point of the ground,
     std::string look_at_object;              // or the middle of an object,
-    /// or, of one on a trajectory or an object, azimuth to the right of the body's front,
-    /// elevation, roll [deg],
+    /// or, on a trajectory or an object, azimuth to the right of the body's front, elevation, roll
+    /// [deg],
     std::optional<Eigen::Vector3d> mount;
     // or the two angles:
     double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
@@ -38,21 +38,21 @@ struct ObserverInput {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
     double row_time = 0.0, exposure = 0.0;               // [s]
     int samples = 16;
-    std::optional<AdaptiveOptions> adaptive;  // samples where pixels need them
+    std::optional<AdaptiveOptions> adaptive;  // adaptive sampling
     std::vector<std::string> bands;           // "3-5", "8-12", "lwir", a name of [[bands]]
     std::vector<std::string> cubes;           // names of [[cubes]]
     std::vector<std::string> instruments{};   // bands in which it has an [[instrument]]
-    double pixel_pitch_um = 0.0;              // if it says one
-    bool terms = false;                       // planes for the terms of the radiance, one by one
-    int surfaces = 0;                         // of each pixel that have planes of their own
+    double pixel_pitch_um = 0.0;              // if given
+    bool terms = false;                       // planes for the terms of the radiance, separately
+    int surfaces = 0;                         // number of surfaces per pixel with separate planes
     std::vector<Instant> frames;              // its own, or the scene's
-    std::string frames_note{};                // days that have none
-    std::string where, look_where;  // in the scene file: of where its eye is, what it sees
+    std::string frames_note{};                // days without frames
+    std::string where, look_where;  // position in the scene file: of its eye, of its target
 
     bool goes() const { return !trajectory.empty(); }
 };
 
-/// What of a scene its observers may name.
+/// Names in a scene that observers may use.
 struct ObserverReading {
     const ScenePlaces& places;
     const std::vector<BandInput>& bands;

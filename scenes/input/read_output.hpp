@@ -5,10 +5,10 @@
 
 namespace diurna {
 
-/// The section [output]: what a run writes beside temperatures and pictures.
+/// The section [output]: what a run writes in addition to temperatures and pictures.
 struct OutputInput {
     bool fluxes = false;  // the heat balance of every facet in temperatures.nc
-    bool state = false;   // state.nc: the heat at the end, for another run to go on from
+    bool state = false;   // state.nc: the heat at the end, from which a run can continue
     ExrCompression compression = ExrCompression::none;  // of pictures
 };
 

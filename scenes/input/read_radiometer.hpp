@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// [[radiometer]]: what pyranometers and pyrgeometers at a place would measure.
+/// [[radiometer]]: simulated readings of pyranometers and pyrgeometers at a place.
 struct RadiometerInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // east, north [m]

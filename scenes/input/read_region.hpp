@@ -9,21 +9,21 @@
 
 namespace diurna {
 
-/// What of a scene is compared with something else.
+/// Part of a scene that is compared with another one.
 struct RegionInput {
     enum class Kind { object, part, material, pixels };
     Kind kind = Kind::material;
-    std::string name{};            // in words
-    std::string object{}, part{};  // of an object: ground polygons and buildings are some, too
-    std::string material{};        // all that is made of it
+    std::string name{};            // description
+    std::string object{}, part{};  // of an object: also ground polygons and buildings
+    std::string material{};        // all facets of it
     std::array<int, 4> pixels{};   // left, top, width, height of a rectangle in the picture
     std::string where{};           // in the scene file
 };
 
-/// Bands that begin here or later see surfaces by their own heat, by night, too.
+/// Bands from here on show surfaces by their thermal emission, also at night.
 inline constexpr double heat_begins_um = 2.9;
 
-/// What a region may be called in a scene.
+/// Allowed names of regions in a scene.
 struct RegionNames {
     Names all;
     std::vector<std::string> objects, materials;
@@ -34,7 +34,7 @@ inline constexpr const char* region_says =
     "an object, a building, a polygon of the ground, \"ground\" for the rest of the ground, "
     "OBJECT/PART, or a material (material:NAME where another has the same name)";
 
-/// One of those names as what it stands for.
+/// The region with one of those names.
 RegionInput region_named(const std::string& name, const RegionNames& known);
 
 }  // namespace diurna

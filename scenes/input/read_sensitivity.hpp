@@ -14,19 +14,19 @@
 
 namespace diurna {
 
-/// A number of the scene that lies between two others.
+/// A number of the scene with a range.
 struct RangedInput {
     std::string key;               // its path in the scene file
     double low = 0.0, high = 0.0;  // low < high
     std::string where;             // in the scene file
 };
 
-/// What of a scene is asked for.
+/// A result of a scene to be examined.
 struct SensitivityOutput {
     enum class Figure {
         temperature,  // [K] of `first`: mean over its area, at an instant
         contrast,     // [K] apparent, of `first` less `second` at an observer, likewise
-        crossover     // [h] after the span's start, when they look equally warm
+        crossover     // [h] after the span's start, when both look equally warm
     };
     std::string name;
     Figure figure = Figure::temperature;
@@ -38,7 +38,7 @@ struct SensitivityOutput {
     std::string where;  // in the scene file
 };
 
-/// [[sensitivity]]: what numbers that are not known well do to figures of the scene.
+/// [[sensitivity]]: effect of uncertain numbers on results of the scene.
 struct SensitivityInput {
     std::string name;
     std::vector<RangedInput> uncertain;

@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// What goes through a list of values: a key, or several that change together.
+/// An axis of a sweep: a key with a list of values, or several that change together.
 struct SweepAxis {
     std::string name;
     std::vector<std::string> keys;                 // paths in the scene file
@@ -17,20 +17,20 @@ struct SweepAxis {
     std::string where;                             // in the scene file
 };
 
-/// What of a sweep lies on one side of training and validation.
+/// What a sweep separates into training and validation.
 enum class SweepSplit { instants, variants, heats };
 
 /// The word of the key sweep.split.
 std::string word_of(SweepSplit split);
 
-/// The section [sweep]: variants of a scene are all combinations of the axes' values, or some of
-/// them that are drawn.
+/// The section [sweep]: variants of a scene are all combinations of the axes' values, or a random
+/// selection of them.
 struct SweepInput {
     std::vector<SweepAxis> axes;      // none: no sweep
     std::optional<std::size_t> draw;  // variants of the grid
     SweepSplit split = SweepSplit::instants;
 
-    /// Combinations of all values; a double, for there may be more than fit elsewhere.
+    /// Number of combinations; a double, because it may exceed the range of integers.
     double grid() const;
 };
 

@@ -14,7 +14,7 @@
 
 namespace diurna {
 
-/// Ground of this slope and height (and not within a named polygon) is of this material.
+/// Ground with this slope and height (outside named polygons) has this material.
 struct GroundRule {
     std::string material;
     double least_slope_deg = 0.0, most_slope_deg = 90.0;
@@ -35,28 +35,28 @@ struct Building {
     std::string kind;       // its class in labels
     Eigen::Vector2d place;  // middle of its plan
     double width, depth, height;
-    double heading_deg;  // the way its front faces, clockwise from north
+    double heading_deg;  // direction its front faces, clockwise from north
     std::string wall, front, roof;
 };
 
 struct TerrainInput {
     ElevationInput elevation;
     /// The full grid as quads of two triangles instead of a network within the tolerance, on
-    /// details every post: always, or where it has no more than `most_grid_triangles`.
+    /// details every post: always, or if it has at most `most_grid_triangles`.
     enum class Mesh { network, grid, grid_where_it_fits };
     Mesh mesh = Mesh::network;
     static constexpr std::size_t most_grid_triangles = 500'000;
-    double coarsest = 0.0;  // of the tolerance where no observer looks closely; 0: the same [m]
+    double coarsest = 0.0;  // tolerance far from all observers; 0: the same [m]
     std::string default_material;
-    std::vector<GroundRule> rules;  // the first that fits wins
+    std::vector<GroundRule> rules;  // the first that matches is used
     std::vector<GroundPolygon> polygons;
     std::vector<Building> buildings;
     std::vector<ObjectInput> objects;
-    std::vector<LandCoverInput> land_cover;  // the first that knows a material wins
+    std::vector<LandCoverInput> land_cover;  // the first with a material is used
     std::vector<ShapesInput> shapes;
 };
 
-/// The section [terrain] and the tables that stand on it: [[ground]], [[building]], [[object]],
+/// The section [terrain] and the tables placed on it: [[ground]], [[building]], [[object]],
 /// [[shapes]].
 ///
 /// - elevation: read_elevation_keys() of the section

@@ -13,7 +13,7 @@
 
 namespace diurna {
 
-/// A table [[texture]]: what varies, and by a picture or a random field.
+/// A table [[texture]]: the parameter that varies, and a picture or a random field.
 struct TextureInput {
     enum class What { albedo, emissivity, mixture };
 
@@ -21,22 +21,22 @@ struct TextureInput {
     std::string where;  // in the scene file, for mistakes found later
     What what = What::albedo;
     std::array<std::string, 2> between;  // materials of a mixture: shares 0 and 1 of the second
-    int levels = 0;                      // solved at; 0: one each 0.3 of albedo, 0.2 of emissivity
+    int levels = 0;                      // number solved; 0: one per 0.3 of albedo or 0.2 of
 
-    // A random field. The value is normal about `mean` with standard deviation `deviation`, cut off
-    // at three deviations and at the parameter's own bounds.
+    // A random field. The value is normal about `mean` with standard deviation `deviation`, clipped
+    // at three deviations and at the parameter's own limits.
     std::optional<ClutterSpec> clutter;
     std::optional<double> mean;  // none: the material's own
     double deviation = 0.0;
 
-    // A picture, in values of the parameter.
+    // A picture, with values of the parameter.
     std::filesystem::path file;
     TextureImage image;
     bool nearest = false, repeat = false;
-    double metres_per_texel = 0.0;  // 0: where the file's georeference says
+    double metres_per_texel = 0.0;  // 0: by the file's georeference
     Eigen::Vector2d place =
         Eigen::Vector2d::Zero();  // of its middle; of an object: from its middle
-    double heading_deg = 0.0;     // the way its upper edge looks
+    double heading_deg = 0.0;     // direction of its upper edge
 };
 
 /// The tables [[texture]]; mistakes are noted in the sections.

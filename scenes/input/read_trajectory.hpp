@@ -11,30 +11,30 @@
 
 namespace diurna {
 
-/// One table [[trajectory]]: a way that observers and objects go.
+/// One table [[trajectory]]: a trajectory of observers and objects.
 struct TrajectoryInput {
     std::string name;
-    /// Seconds from `start`; east, north of the site [m], or, as `geodetic`, longitude and latitude
-    /// [deg]; height [m] over what `heights` says.
+    /// Seconds from `start`; east, north of the site [m], or, if `geodetic`, longitude and latitude
+    /// [deg]; height [m] above the reference `heights`.
     Trajectory way;
     bool geodetic = false;
     HeightOver heights = HeightOver::ground;
     Instant start;
     std::filesystem::path file;  // "": the scene's own
     std::string where;           // in the scene file
-    bool sound = true;           // else another way stands for one that has a mistake
+    bool sound = true;           // else a placeholder for one with a mistake
 
     Instant begin() const { return later(start, way.begin()); }
     Instant end() const { return later(start, way.end()); }
-    /// [m] of a unit of its places' first two parts, about.
+    /// Approximate [m] per unit of its places' first two coordinates.
     double metres() const { return geodetic ? 111e3 : 1.0; }
 };
 
-/// The tables [[trajectory]]; by default a way starts as the scene's span does.
+/// The tables [[trajectory]]; by default a trajectory starts with the scene's span.
 std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time,
                                                const ScenePlaces& places);
 
-/// That of a name; null where there is none.
+/// The trajectory with a name; null if there is none.
 const TrajectoryInput* find_trajectory(const std::vector<TrajectoryInput>& ways,
                                        const std::string& name);
 

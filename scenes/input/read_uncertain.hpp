@@ -6,11 +6,11 @@
 
 namespace diurna {
 
-/// The path of a number that is not known well, in a table of its own. One that neither light nor
-/// heat depend on is a mistake, which is noted.
+/// The path of an uncertain number, in a table of its own. One that affects neither light nor heat
+/// is a mistake, which is noted.
 std::string read_uncertain_key(const Section& section);
 
-/// A name made fit for a file's.
+/// Converts a name to a valid file name.
 std::string plain_name(std::string name);
 
 }  // namespace diurna

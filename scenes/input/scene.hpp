@@ -33,26 +33,26 @@
 #include "thermal/weather/clear_sky.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
-/// The whole input of a job as plain values: what a scene file says, with units converted, ranges
-/// checked and file names resolved. Places are east, north [m] from the site.
+/// The whole input of a job as plain values: the content of a scene file, with units converted,
+/// ranges checked and file names resolved. Places are east, north [m] from the site.
 namespace diurna {
 
 struct WeatherInput {
     std::filesystem::path file;                  // the first of `files`
     std::vector<std::filesystem::path> files{};  // of one format, joined
-    WeatherOptions options;       // but for place and span, which are those of the scene
+    WeatherOptions options;       // except place and span, which are those of the scene
     std::string measured_over{};  // a material; "": the only one
     HeightKeys by_height{};
 };
 
 struct Scene {
     std::filesystem::path file;
-    Confines confines;  // of what it names, and of what that names
+    Confines confines;  // folders of the files it names, and of files named in those
     std::string name;
     std::string title;
     std::optional<Site> site;  // none: the middle of the raster; height NaN: the ground there
     TerrainInput terrain;
-    std::shared_ptr<const Dem> elevation{};  // read already, for places that asked for it
+    std::shared_ptr<const Dem> elevation{};  // read already, for places that needed it
     MaterialLibrary materials;               // the program's own with the scene's added
     WeatherInput weather;
     ClearSky sky;
@@ -75,16 +75,16 @@ struct Scene {
     std::vector<ContrastInput> contrasts;
     std::vector<SensitivityInput> sensitivities;
     SweepInput sweep;
-    double tolerance = 0.0;  // [K] rms of pictures, for what they do not show; 0: nothing
-    std::vector<std::string> idle_sky_keys{};  // of [sky], whose formulas `air` replaces
+    double tolerance = 0.0;  // [K] rms of pictures, for facets not visible; 0: all solved
+    std::vector<std::string> idle_sky_keys{};  // unused keys of [sky], replaced by `air`
     int sky_rays = 64;                         // per facet of the ground
     int object_sky_rays = 256;                 // per facet of buildings and objects
     int sun_samples = 4;                       // per facet and instant
-    int check_points = 128;                    // places in pictures solved by themselves
+    int check_points = 128;                    // points in pictures that are solved separately
     std::uint64_t seed = 1;
-    std::vector<FileRead> files{};  // all that were opened for it so far
-    // What the file says, settings included: all of it, and without what nothing but pictures
-    // is made of.
+    std::vector<FileRead> files{};  // all files opened for it so far
+    // The content of the file, with settings: all of it, and without the tables used only by
+    // pictures.
     std::string said{}, said_but_for_pictures{};
 };
 

@@ -22,6 +22,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Throws InputError, in one line, for a column file: its keys would give a mistake each.
+void refuse_column(const fs::path& file, const Confines& confines) {
+    const Section root = Document::from_file(file, confines).root();
+    for (const char* of_scene : {"terrain", "observer", "object", "sweep"}) {
+        if (root.has(of_scene)) return;
+    }
+    const bool column = root.has("facet") || root.has("calibrate") ||
+                        root.section("time", "span, start and steps").has("end");
+    if (!column || !root.has("weather")) return;
+    throw InputError(file.string(), "is a column file, expected a scene",
+                     fmt::format("for a column use diurna column {}", file.string()));
+}
+
 constexpr const char* material_says =
     "a material of this name, with the keys of the section Materials";
 
@@ -261,7 +274,9 @@ Scene read_scene(const Document& document) {
 
 Scene read_scene(const fs::path& file, const std::vector<std::string>& settings,
                  bool allow_outside) {
-    Document document = Document::from_file(file, confines_of(file, allow_outside));
+    const Confines confines = confines_of(file, allow_outside);
+    refuse_column(file, confines);
+    Document document = Document::from_file(file, confines);
     for (const std::string& setting : settings) document.set(setting);
     return read_scene(document);
 }

@@ -12,10 +12,10 @@ namespace diurna {
 /// Reads a scene file (TOML; scenes/jacksboro/scene.toml shows every part). Types, ranges and names
 /// are checked here and every mistake of the file is reported at once, with file:line:column; the
 /// files it names must exist within its confines (materials/base/confines.hpp). `settings` are
-/// "key.path=value" and take the place of what the file says. Throws InputError.
+/// "key.path=value" and replace the file's values. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {},
                  bool allow_outside = false);
-/// The same of a document, which is finished.
+/// The same for a document, for which it calls finish().
 Scene read_scene(const Document& document);
 
 }  // namespace diurna

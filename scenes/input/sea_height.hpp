@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// The sea above the ellipsoid [m] at a place: EGM96's geoid where the elevation's heights are over
-/// it (terrain.vertical_datum), else 0, the sea being where the raster's heights are zero.
+/// Height of the sea above the ellipsoid [m] at a place: EGM96's geoid if the elevation's heights
+/// are converted (terrain.vertical_datum), else 0, with the sea at height zero of the raster.
 double sea_at(const SceneFrame& frame, const Geodetic& place);
 
 }  // namespace diurna

@@ -10,8 +10,8 @@
 #include "scenes/input/read_jet.hpp"
 #include "thermal/solve/clock_hours.hpp"
 
-/// What makes an object's mesh one body of heat: parts, enclosures, lumps and what joins them, in
-/// the scene or in a file of their own beside the mesh.
+/// Description of an object's mesh as a thermal network: parts, enclosures, lumps and their
+/// connections, in the scene or in a separate file beside the mesh.
 namespace diurna {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
@@ -19,12 +19,12 @@ inline constexpr const char* outdoors_name = "outdoors";
 
 struct PartInput {
     std::string name;      // of a group, node or material of the mesh; "*": all others
-    std::string material;  // "": as the object says
-    std::string inside;    // the enclosure that its inner face looks into; "": none
+    std::string material;  // "": the object's
+    std::string inside;    // the enclosure behind its inner face; "": none
     double inner_emissivity = not_given;
     double watts = 0.0, watts_m2 = 0.0;  // released in its inner face
-    double kelvin = not_given;           // held at, within its hours
-    bool welded = true;                  // heat goes on over the edges it shares with other parts
+    double kelvin = not_given;           // given temperature within its hours
+    bool welded = true;                  // conducts across the edges it shares with other parts
     bool runs = false;                   // its heat is released while the object runs
     std::vector<ClockHours::Window> hours{};
     std::string where{};
@@ -39,7 +39,7 @@ struct LumpInput {
     std::string name;
     double capacity = 0.0;  // [J K⁻¹]
     double watts = 0.0;
-    double kelvin = not_given;  // held at, within its hours
+    double kelvin = not_given;  // given temperature within its hours
     bool runs = false;          // its heat is released while the object runs
     std::vector<ClockHours::Window> hours{};
 };
@@ -62,8 +62,8 @@ struct TargetInput {
     std::vector<StreamInput> stream;
     std::vector<ContactInput> contact;
     std::vector<JetInput> jet;
-    std::filesystem::path file{};  // that reported of them; "": the scene
-    /// (part of the mesh) into `part`, −1 where none names it: it conducts, and no more.
+    std::filesystem::path file{};  // file of the description; "": the scene
+    /// (part of the mesh) index in `part`, −1 if not listed: only conduction.
     std::vector<int> part_of;
 
     bool given() const { return !part.empty(); }

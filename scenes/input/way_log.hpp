@@ -8,11 +8,11 @@
 
 namespace diurna {
 
-/// A log of a way.
+/// A log of a trajectory.
 struct WayLog {
     Trajectory way;  // seconds from `start`, or as the file has them
     bool geodetic = false;
-    std::optional<Instant> start{};  // of files that tell instants
+    std::optional<Instant> start{};  // in files with instants
 };
 
 /// Reads one, in CSV:
@@ -21,8 +21,8 @@ struct WayLog {
 ///     heading_deg, pitch_deg, roll_deg or qw, qx, qy, qz (of its right, forward, up to east,
 ///     north, up)
 ///
-/// Throws InputError with the file's line and column; also for columns of other names, for one name
-/// twice, and for two that say the same.
+/// Throws InputError with the file's line and column; also for unknown columns, for duplicate
+/// names, and for two columns with the same meaning.
 WayLog read_way_log(const std::filesystem::path& file);
 
 }  // namespace diurna

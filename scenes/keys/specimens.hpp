@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-/// Texts that make the readers ask for every key they know: each kind of bottom, finish, texture,
-/// projection, ... stands in one of them at least. They need not be right (files may be absent),
-/// only whole: a reader that gains an alternative gains a table here. tests/scenes/keys_test.cpp
-/// finds what was forgotten, if any text of a test has it.
+/// Texts that make the readers read every key they know: each kind of bottom, finish, texture,
+/// projection, ... is in at least one of them. They need not be valid (files may be missing), only
+/// complete: for a new alternative in a reader, add a table here. tests/scenes/keys_test.cpp finds
+/// missing ones if any text of a test has them.
 namespace diurna {
 
 extern const std::vector<std::string> scene_specimens;

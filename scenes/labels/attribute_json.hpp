@@ -6,9 +6,9 @@
 
 namespace diurna {
 
-/// Attributes of pictures ("camera.position_m": "0 -60 20") as JSON, those of a group under its
-/// name: {"camera": {"position_m": [0, -60, 20]}}. Numbers apart by blanks are an array, one number
-/// is itself, all else text. Names without a dot are skipped.
+/// Attributes of pictures ("camera.position_m": "0 -60 20") as JSON, grouped by the first part of
+/// their name: {"camera": {"position_m": [0, -60, 20]}}. Several numbers become an array, one
+/// number a number, everything else text. Names without a dot are skipped.
 nlohmann::ordered_json attribute_json(const std::map<std::string, std::string>& attributes);
 
 }  // namespace diurna

@@ -7,12 +7,12 @@
 
 namespace diurna {
 
-/// How an object stands out from what is around it, in the unit of a plane.
+/// Contrast of an object with its background, in the unit of a plane.
 ///
-/// Its background is every pixel that is not in its mask of the box of twice its box's width and
-/// height about the same middle (at least 2 pixels more on each side), as far as the picture goes:
-/// whatever is seen there, sky and other objects too. Pixels whose value is not finite are left
-/// out.
+/// Its background is every pixel outside its mask in the box of twice its box's width and
+/// height about the same middle (at least 2 pixels more on each side), within the picture:
+/// everything visible there, sky and other objects too. Pixels whose value is not finite are
+/// skipped.
 struct Contrast {
     double target = 0.0;      // mean over the mask
     double spread = 0.0;      // standard deviation over the mask
@@ -21,8 +21,8 @@ struct Contrast {
     bool known = false;  // both have pixels
 
     double difference() const { return target - background; }
-    /// √((target − background)² + spread²): the root sum square by which ranges of detection are
-    /// worked out (Ratches 1976; NVThermIP).
+    /// √((target − background)² + spread²): the root sum square used for detection ranges (Ratches
+    /// 1976; NVThermIP).
     double rss() const;
 };
 

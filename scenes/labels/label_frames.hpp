@@ -8,7 +8,8 @@
 
 namespace diurna {
 
-/// Writes the labels of all frames of a job, which lie in `out` already, from their truth planes:
+/// Writes the labels of all frames of a job, already in `out`, from their truth
+/// planes:
 ///
 ///     annotations.json, annotations_train.json, annotations_validation.json   COCO (coco.hpp)
 ///     labels/PICTURE.txt, data.yaml, train.txt, validation.txt   YOLO; the lists name pictures

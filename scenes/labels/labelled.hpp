@@ -6,13 +6,13 @@
 #include "scenes/input/scene.hpp"
 #include "scenes/world/world.hpp"
 
-/// What labels call the objects of a scene.
+/// Names and classes of a scene's objects in labels.
 namespace diurna {
 
 struct Labelled {
     std::string name;          // in the scene file
     std::string kind;          // its class; "": the ground, which has no labels
-    double heading_deg = 0.0;  // the way its front faces, clockwise from north
+    double heading_deg = 0.0;  // direction its front faces, clockwise from north
     bool group = false;        // several things under one name: the buildings of [[shapes]]
 };
 

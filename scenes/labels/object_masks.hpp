@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// Where one object is seen in a picture.
+/// Pixels of one object in a picture.
 struct ObjectMask {
     int object;                    // ObjectId
     int left, top, width, height;  // [pixels] of the smallest box around it
@@ -18,9 +18,9 @@ struct ObjectMask {
     std::vector<std::uint32_t> runs;
 };
 
-/// The masks of all objects but the ground (0) and the sky (−1), by ObjectId, from the truth plane
-/// `object` and, where the frame has it, `object_behind.BAND`: a pixel whose centre sees an object
-/// through a net or a pane is in the masks of both.
+/// The masks of all objects except the ground (0) and the sky (−1), by ObjectId, from the truth
+/// plane `object` and, if the frame has it, `object_behind.BAND`: a pixel whose centre sees an
+/// object through a net or a pane is in the masks of both.
 std::vector<ObjectMask> object_masks(const Frame& frame, const std::string& band);
 
 /// (row, column) 1 in the mask.

@@ -5,14 +5,14 @@
 
 namespace diurna {
 
-/// A scene's facets at a frame, as a camera finds what goes.
+/// A scene's facets at a frame, with moving objects as recorded by a rolling-shutter camera.
 struct RowPlaces {
-    FacetSet seen;     // each corner where it is when the row that it falls on is read
-    FacetSet stands;   // each object as it stands when the row that its middle falls on is read
+    FacetSet seen;     // each corner at the time when its row is read
+    FacetSet stands;   // each object at the time when the row of its middle is read
     MoverPoses poses;  // (mover) of these
 };
 
-/// Objects go straight on at an even speed while the rows are read, as they do for the picture.
+/// Objects move straight at constant speed while the rows are read, as in the picture.
 RowPlaces row_places(const Prepared& prepared, const Sequence& sequence, std::size_t frame);
 
 }  // namespace diurna

@@ -6,9 +6,9 @@
 
 namespace diurna {
 
-/// Which of `count` instants are for validation: the nearest whole number to `share` of them, drawn
-/// by `seed`. All pictures of an instant are on one side, so that nothing seen in training comes
-/// back at the same hour in another band.
+/// Which of `count` instants are for validation: the nearest integer to `share` of them, drawn with
+/// `seed`. All pictures of an instant are on one side, so that no training scene appears in
+/// validation in another band.
 std::vector<bool> validation_instants(std::size_t count, double share, std::uint64_t seed);
 
 }  // namespace diurna

@@ -8,10 +8,10 @@
 namespace diurna {
 
 /// A picture's labels for YOLO: "CLASS X Y WIDTH HEIGHT" a line, classes from 0, middle and size of
-/// the box seen as shares of the picture. Without groups.
+/// the visible box relative to the picture. Without groups.
 std::string yolo_text(const LabelBook& book, const LabelledPicture& picture);
 
-/// The file that reports Ultralytics' YOLO of a run's folder: classes and the lists of pictures.
+/// The description of a run's folder for Ultralytics' YOLO: classes and the lists of pictures.
 std::string yolo_data(const LabelBook& book);
 
 }  // namespace diurna

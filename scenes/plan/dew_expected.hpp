@@ -16,7 +16,7 @@ namespace dew {
 
 inline constexpr double worth = 0.3;           // [K] as thermal/solve/point_facets.hpp has it
 inline constexpr double psychrometric = 66.0;  // [Pa K⁻¹] near the ground
-inline constexpr double made_up_below = 0.5;   // of the loss, by heat from below
+inline constexpr double made_up_below = 0.5;   // of the loss, replaced by heat from below
 inline constexpr double still_air = 4.0, by_wind = 4.0;  // [W m⁻² K⁻¹], [J m⁻³ K⁻¹]
 
 inline double longwave_from_sky(const Forcing& row) {
@@ -27,7 +27,7 @@ inline double longwave_from_sky(const Forcing& row) {
     return std::min(1.0, clear * clouds) * stefan_boltzmann * std::pow(air, 4);
 }
 
-/// [K] that dew warms such a surface by; negative where none forms.
+/// [K] by which dew warms such a surface; negative without dew.
 inline double warming(const Forcing& row) {
     const double air = row.air.temperature;
     const double film = still_air + by_wind * row.wind_speed;
@@ -40,10 +40,10 @@ inline double warming(const Forcing& row) {
 
 }  // namespace dew
 
-/// Whether dew or hoar is to be expected on open dry surfaces at any row of a series between two
+/// Whether dew or hoar is expected on open dry surfaces at any row of a series between two
 /// instants: whether a level black surface that loses heat to the sky by night, with half of that
-/// made up for by what lies below, would be warmed by 0.3 K by what condenses on it. From the rows
-/// alone, for the estimate of a plan; the solver decides facet by facet (thermal/solve/dew_need).
+/// replaced from below, would be warmed by 0.3 K or more by condensation. Uses only the rows, for
+/// the estimate of a plan; the solver decides facet by facet (thermal/solve/dew_need).
 ///
 /// Longwave that was not measured: Brutsaert (1975), clouds by 1 + 0.22 n² (Sugita & Brutsaert
 /// 1993).

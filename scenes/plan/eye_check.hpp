@@ -9,15 +9,15 @@
 
 namespace diurna {
 
-/// Finds eyes that are below the ground or inside an object, wherever those that go are.
+/// Finds eyes that are below the ground or inside an object, with moving objects at given poses.
 class EyeCheck {
  public:
-    /// - rays: of the world's facets, with those that go where their ways begin
-    /// - both are to outlive it
+    /// - rays: of the world's facets, with moving objects at the start of their trajectories
+    /// - both must outlive it
     EyeCheck(const World& world, const RayScene& rays);
     /// Throws InputError as check_observer() (render/view/observer.hpp).
     ///
-    /// - poses: where the objects that go are
+    /// - poses: of the moving objects
     void check(const Observer& observer, const MoverPoses& poses) const;
 
  private:
@@ -28,8 +28,8 @@ class EyeCheck {
     };
     const World& world_;
     const RayScene& rays_;
-    std::vector<Part> still_;  // one, without those that go; empty where nothing goes
-    std::vector<Part> going_;  // (mover) where it begins
+    std::vector<Part> still_;  // one, without moving objects; empty without motion
+    std::vector<Part> going_;  // (mover) at its start
 };
 
 }  // namespace diurna

@@ -7,7 +7,7 @@
 #include "scenes/input/scene.hpp"
 #include "terrain/place/instant.hpp"
 
-/// Where a job's pictures lie, relative to its folder.
+/// Names of a job's pictures, relative to its folder.
 namespace diurna {
 
 /// "frames/east_8-12_20260715T040000Z": a band's or a cube's picture without its extension.
@@ -22,9 +22,9 @@ std::string grey_picture(const std::string& observer, const std::string& band, I
 std::string instrument_base(const std::string& observer, const std::string& band, Instant instant);
 std::string calibration_file(const std::string& observer, const std::string& band);
 
-/// What is rendered of one frame, what instruments take of it, and both: for every band an EXR, a
-/// PNG beside it and a grey one; for every cube an EXR and ENVI's two; for every instrument an EXR,
-/// the counts and what is displayed of them.
+/// Files of one frame, as rendered, from instruments, and both: for every band an EXR, a PNG beside
+/// it and a grey one; for every cube an EXR and ENVI's two; for every instrument an EXR, the counts
+/// and their display picture.
 std::vector<std::string> picture_files(const ObserverInput& observer, Instant instant,
                                        GreyFormat format);
 std::vector<std::string> instrument_files(const ObserverInput& observer, Instant instant,

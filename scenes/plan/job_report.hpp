@@ -17,25 +17,26 @@ struct JobInput {
     std::string name, sha256;
 };
 
-/// What a run did, for the report and for tests.
+/// Result of a run, for the report and for tests.
 struct JobReport {
     Plan plan{};
     TinCheck ground_check{};
     std::size_t posts = 0;
     SolveReport solve{};  // of this run's heat balance
-    bool solved = false;  // false: temperatures were kept from an earlier run
-    std::vector<std::pair<std::string, std::string>> heat{};  // heat_rows(), kept or of this run
-    std::string start{};               // how the heat balance's was found, and what it is worth
-    std::string not_converged{};       // in one line, of this or the earlier run; "" where it has
-    std::size_t frames_rendered = 0;   // the others were kept
-    std::vector<std::string> files{};  // written or kept, relative to the folder
+    bool solved = false;  // false: temperatures are from an earlier run
+    std::vector<std::pair<std::string, std::string>> heat{};  // heat_rows(), stored or of this run
+    std::string start{};               // how the heat balance's start was computed, and its effect
+    std::string not_converged{};       // in one line, of this or the earlier run; "" if converged
+    std::size_t frames_rendered = 0;   // the others are from an earlier run
+    std::vector<std::string> files{};  // written or retained, relative to the folder
     std::vector<Progress::Stage> stages{};
-    std::vector<std::string> remade{};  // what of earlier runs was not kept, and what was taken
-                                        // from their store, a line each
-    std::vector<std::string> notes{};   // what was modelled for want of data
+    std::string resumed{};              // with --resume: what was reused, in one line
+    std::vector<std::string> remade{};  // files regenerated and results from the cache,
+                                        // one line each
+    std::vector<std::string> notes{};   // quantities modelled for lack of data
     std::vector<JobInput> inputs{};
     std::vector<std::string> settings{};  // of the command line
-    std::vector<std::string> warnings{};  // what is implausible (scenes/warnings)
+    std::vector<std::string> warnings{};  // implausible input (scenes/warnings)
 };
 
 }  // namespace diurna

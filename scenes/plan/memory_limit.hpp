@@ -6,17 +6,17 @@
 
 namespace diurna {
 
-/// Bytes that a text reports: "800M", "6.5G", "2T" (powers of 1000). Throws InputError, of
+/// Bytes of a text: "800M", "6.5G", "2T" (powers of 1000). Throws InputError for
 /// --max-memory.
 double bytes_reported(const std::string& text);
 
-/// What the machine can still give [bytes]: nine tenths of what is free to be taken, within the
-/// limit of the process's control group; 0: the system does not say.
+/// Memory available on the machine [bytes]: nine tenths of the free memory, within the limit of the
+/// process's control group; 0: not known.
 double free_memory();
 
-/// Throws InputError where a plan needs more than that, with both numbers and what takes most.
+/// Throws InputError if a plan needs more than that, with both numbers and the largest items.
 ///
-/// - limit: [bytes] as --max-memory has it; 0: free_memory()
+/// - limit: [bytes] from --max-memory; 0: free_memory()
 void check_memory(const Plan& plan, double limit);
 
 }  // namespace diurna

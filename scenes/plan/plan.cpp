@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "materials/base/number_of.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/rays/lobe.hpp"
 #include "scenes/plan/dew_expected.hpp"
@@ -395,15 +396,16 @@ std::string describe(const Plan& plan) {
     std::string text = fmt::format(
         "facets      {:>12}\n"
         "steps       {:>12}   {} with the sun up\n"
-        "pictures    {:>12}   {:.4g} pixels, at {} instants\n"
+        "pictures    {:>12}   {:.4g} pixels, at {}\n"
         "rays        {:>12.4g}   sky {:.3g}, sun {:.3g}, views {:.3g}\n"
         "memory      {:>9.0f} MB  estimated\n"
-        "time        {:>10.1f} s   estimated, {} threads\n",
+        "time        {:>10.1f} s   estimated, {}\n",
         plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.pictures,
-        double(plan.frame_pixels), plan.frames.size(),
+        double(plan.frame_pixels), number_of(plan.frames.size(), "instant"),
         static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
         static_cast<double>(plan.sky_rays), static_cast<double>(plan.sun_rays),
-        static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds, thread_count());
+        static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds,
+        number_of(thread_count(), "thread"));
     for (const PlannedStage& stage : plan.stages) {
         text += fmt::format("  {:<18} {:>6.1f} s\n", stage.name, stage.seconds);
     }

@@ -12,43 +12,43 @@
 
 namespace diurna {
 
-/// One thing the job could compute, whether it will, and what leaving it out costs.
+/// A decision of the plan: a stage, whether it is computed, and the cost of skipping it.
 struct Decision {
     std::string what;
     bool computed = true;
     std::string why;
-    double error = 0.0;      // bound on what leaving it out changes; 0 where it is exact
+    double error = 0.0;      // upper bound on the error of skipping; 0: exact
     std::string error_unit;  // "K", "W m-2", "W m-2 sr-1"
 };
 
-/// A stage of the job (scenes/run/job) and what it is thought to take [s].
+/// A stage of the job (scenes/run/job) and its estimated time [s].
 struct PlannedStage {
     std::string name;
     double seconds = 0.0;
 };
 
-/// What a scene needs, worked out before anything is computed: as a database explains a query.
+/// The plan of a scene, made before anything is computed, like a database's query plan.
 struct Plan {
     std::size_t facets = 0;
     std::vector<Instant> steps;         // step_instants() of the heat balance, ends included
-    std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: shadows are cast
+    std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: with shadows
     std::vector<Instant> frames;        // of all observers
     std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;
     std::size_t pixels = 0;        // of all observers' views
     std::size_t pictures = 0;      // frames of all observers, and
     std::size_t frame_pixels = 0;  // their pixels
-    double memory = 0.0;           // [bytes] at its most
+    double memory = 0.0;           // [bytes] maximum
     double seconds = 0.0;          // sum of the stages: within 1.5 times on idle cores
     std::vector<PlannedStage> stages;
     std::vector<Decision> decisions;
 };
 
-/// A pure function of the scene, its facets and where its observers are (without these, nothing
-/// seen in mirrors is counted). What each thing costs: scenes/plan/plan_costs.hpp.
+/// Depends only on the scene, its facets and the positions of its observers (without these,
+/// mirrored pixels are not counted). Costs of each item: scenes/plan/plan_costs.hpp.
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
                std::span<const Sequence> sequences = {});
 
-/// The plan as the text `diurna plan` prints.
+/// The text printed by `diurna plan`.
 std::string describe(const Plan& plan);
 
 }  // namespace diurna

@@ -17,13 +17,13 @@
 
 namespace diurna {
 
-/// A radiometer where it stands: east, north, up [m].
+/// A radiometer at its place: east, north, up [m].
 struct PlacedRadiometer {
     RadiometerInput input;
     Eigen::Vector3d place;
 };
 
-/// Everything a job knows once the scene stands: place, triangles, weather, what is to be done.
+/// Everything known after a scene is built: place, triangles, weather, tasks.
 struct Prepared {
     Scene scene;
     World world;
@@ -31,25 +31,25 @@ struct Prepared {
     Weather weather;
     std::vector<Sequence> sequences;  // of the observers, in the order of the scene
     Plan plan;
-    std::vector<Plume> plumes;  // placed likewise
+    std::vector<Plume> plumes;  // placed in the same way
     std::vector<PlacedRadiometer> radiometers;
-    std::vector<std::string> notes;  // what a reader should know of elevation and weather data
-    Movement movement;               // of objects that go
-    std::vector<Mistake> warnings;   // of the files read: what is implausible in them
-    std::shared_ptr<const InstantLights> light;  // of that weather, as the heat balance has it
+    std::vector<std::string> notes;              // notes on elevation and weather data
+    Movement movement;                           // of moving objects
+    std::vector<Mistake> warnings;               // implausible values in the files read
+    std::shared_ptr<const InstantLights> light;  // for that weather, as in the heat balance
 };
 
-/// The light of an instant: what the heat balance receives, by wavelength and direction.
+/// The light at an instant: that of the heat balance, by wavelength and direction.
 LightOfInstant light_at(const Prepared& prepared, Instant instant);
 
-/// The same with the objects that go in other places.
+/// The same with the moving objects at other places.
 Prepared moved(const Prepared& prepared, const MoverPoses& poses);
-/// The same while they go on: at the times 0 and 1 of rays they are where they are `reach` before
+/// The same during motion: at ray times 0 and 1 the objects are at their positions `reach` before
 /// and after [s].
 Prepared moving(const Prepared& prepared, const MoverPoses& poses,
                 const std::vector<Motion>& motions, double reach);
 
-/// Builds the world and checks what can be checked before anything is computed or written.
+/// Builds the world and makes all checks that are possible before anything is computed or written.
 Prepared prepare(Scene scene);
 
 }  // namespace diurna

@@ -11,41 +11,41 @@ namespace diurna {
 
 enum class ProgressStyle { bar, lines, json, silent };
 
-/// A bar on a terminal, plain lines elsewhere.
+/// A bar on a terminal, plain lines otherwise.
 ProgressStyle default_progress_style();
 
-/// Who is reported of progress besides stderr: the stage and its share, 0 when it begins, 1 when it
-/// ends, at most five times a second between. Called from any thread, never from two at a time.
+/// Receives progress in addition to stderr: the stage and its share, 0 when it begins, 1 when it
+/// ends, at most five times a second between. Called from any thread, one at a time.
 using ProgressListener = std::function<void(const std::string& stage, double share)>;
 
-/// Where progress is reported.
+/// Destinations of progress reports.
 struct ProgressTo {
     ProgressStyle style = ProgressStyle::silent;
-    ProgressListener listener{};  // empty: nobody
+    ProgressListener listener{};  // empty: none
 
     ProgressTo() = default;
     ProgressTo(ProgressStyle on_stderr) : style(on_stderr) {}
     explicit ProgressTo(ProgressListener who) : listener(std::move(who)) {}
 };
 
-/// Tells what a job is doing and how far it is, and keeps the seconds each stage took. Elsewhere
-/// than on a terminal (`lines`): a line when a stage ends; before that one for each tenth that is
-/// done, where these are two seconds apart, and what it works on after ten seconds without another
+/// Reports the stages of a job and their progress, and records the seconds each stage took. If
+/// not on a terminal (`lines`): a line when a stage ends; before that one for each tenth
+/// completed, at least two seconds apart, and the current item after ten seconds without a
 /// line.
 class Progress {
  public:
     explicit Progress(ProgressTo to) : to_(std::move(to)) {}
     ~Progress();
 
-    /// Ends the stage before and begins the next.
+    /// Ends the previous stage and begins the next.
     void stage(const std::string& name);
-    /// Share of the present stage that is done, 0 to 1. Cheap; may be called from any thread.
+    /// Completed share of the present stage, 0 to 1. Fast; may be called from any thread.
     void done(double share);
-    /// What the present stage works on, in a few words; shown while it takes long.
+    /// The current item of the present stage, in a few words; shown if it takes long.
     void doing(const std::string& what);
-    /// A line of its own, at once: what somebody should know before it is done.
+    /// Prints a separate line at once: information needed before the end.
     void tell(const std::string& note);
-    /// Counts seconds of the present stage as a stage of their own, before it.
+    /// Counts seconds of the present stage as a separate stage before it.
     void set_apart(const std::string& name, double seconds);
     /// Ends the last stage.
     void finish();
@@ -64,8 +64,8 @@ class Progress {
     ProgressTo to_;
     std::mutex mutex_;
     std::string name_, doing_;
-    double share_ = 0.0;  // as reported last
-    int tenths_ = 0;      // of the present stage that have been shown as lines
+    double share_ = 0.0;  // last reported
+    int tenths_ = 0;      // number already printed for the present stage
     Clock::time_point began_{}, shown_{}, heard_{};
     std::vector<Stage> stages_;
 };

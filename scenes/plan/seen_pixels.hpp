@@ -7,9 +7,9 @@
 
 namespace diurna {
 
-/// How many pixels of a picture show facets of materials for which `counts` holds, if nothing stood
-/// before them: solid angles of those that face the camera within its field of view. Known before a
-/// ray is cast; for the estimate of a plan only.
+/// Number of pixels of a picture with facets of materials for which `counts` holds, ignoring
+/// occlusion: from solid angles of facets that face the camera within its field of view. Needs no
+/// rays; only for the estimate of a plan.
 ///
 /// - counts: (material)
 double seen_pixels(const Observer& observer, const FacetSet& facets,

@@ -5,17 +5,17 @@
 
 namespace diurna {
 
-/// One of the parts in which a job is shared out among processes.
+/// One of the parts into which a job is divided for several processes.
 struct Shard {
-    std::size_t number = 1, count = 1;  // 1 to count; 0: nothing of it
+    std::size_t number = 1, count = 1;  // 1 to count; 0: empty
     bool all() const { return count == 1 && number == 1; }
 };
 
-/// "2/4". Throws InputError of --shard.
+/// Parses "2/4". Throws InputError for --shard.
 Shard read_shard(const std::string& text);
 
-/// What of so many things in order is a shard's, [first, last): neighbours stay together, no part
-/// has two more than another.
+/// The range of a shard in an ordered list, [first, last): neighbours stay together, and the sizes
+/// of the shards differ by at most one.
 struct ShardRange {
     std::size_t first, last;
 };

@@ -6,11 +6,11 @@
 
 namespace diurna {
 
-/// The chart as an SVG element: axes with round ticks, a grid, one line a series, each with its
-/// name at its end, joined to it where names had to make room for each other.
+/// The chart as an SVG element: axes with round ticks, a grid, one line per series, each with its
+/// name at its end, connected to it by a line if names had to be moved apart.
 std::string svg(const Chart& chart);
 
-/// How high it is drawn [px].
+/// Height of the drawing [px].
 int drawn_height(const Chart& chart);
 
 }  // namespace diurna

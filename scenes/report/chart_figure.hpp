@@ -6,8 +6,8 @@
 
 namespace diurna {
 
-/// A chart under its title as HTML, drawn for a desk and for a phone; a page shows the one that
-/// fits.
+/// A chart under its title as HTML, in a version for wide and one for narrow screens; the page
+/// shows the one that fits.
 std::string chart_figure(const Chart& chart);
 
 }  // namespace diurna

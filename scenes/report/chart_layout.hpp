@@ -7,17 +7,17 @@
 
 #include "scenes/report/chart_parts.hpp"
 
-/// Where the parts of a chart lie, in pixels from its upper left corner.
+/// Positions of the parts of a chart, in pixels from its upper left corner.
 namespace diurna {
 
 inline constexpr double label_gap = 15.0;  // from one line of text to the next
-inline constexpr double letter = 7.0;      // a letter's width at 12 px, the widest usual
+inline constexpr double letter = 7.0;      // width of a wide letter at 12 px
 
 /// The step among 1, 2, 5 times a power of ten that divides `span` into about `count` parts.
 double round_step(double span, int count);
 
-/// Places as near to the wanted ones (least squares) as a distance of `gap` between them allows,
-/// in their order, none beyond the ends: (i) like `wanted`. Needs room for all.
+/// Positions nearest to the given ones (least squares) with a distance of at least `gap`, in the
+/// same order, within the ends: (i) like `wanted`. There must be room for all.
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lowest,
                            double highest);
 
@@ -26,9 +26,9 @@ struct Extent {
     double low, high;
 };
 
-/// Which lines share a scale: indices, the greatest first. Up to half of the lines, the highest or
-/// the lowest ones, go apart where the others then fill their scale 1.5 times better, or, for one
-/// line that comes among the others, 3 times; three scales at most.
+/// Which lines share a scale: indices, the largest first. Up to half of the lines, the highest or
+/// the lowest ones, get a separate scale if the others then fill theirs 1.5 times better, or, for
+/// one line between the others, 3 times; three scales at most.
 std::vector<std::vector<std::size_t>> scales_apart(const std::vector<Extent>& lines);
 
 /// One scale with its lines.
@@ -44,21 +44,21 @@ struct ChartLayout {
     double width = 0.0;                             // of the frame
     std::vector<Panel> panel;
     double rows_top = 0.0, row_height = 0.0;
-    double foot = 0.0;  // lower end of all, where ticks of x stand
+    double foot = 0.0;  // lower end, with the ticks of x
     int height = 0;     // of the whole
 };
 ChartLayout layout_of(const Chart& chart);
 
-/// The ticks of x: fewer where the frame has no room for their words.
+/// The ticks of x: fewer if their labels do not fit the frame.
 std::vector<std::pair<double, std::string>> ticks_of(const Chart& chart, double width);
 
-/// What is to be seen of a line in a frame so wide: of points nearer to each other than half a
-/// pixel the least and the greatest.
+/// The visible part of a line in a frame of this width: for points closer than half a pixel, their
+/// minimum and maximum.
 ChartLine thinned(const ChartLine& line, const Chart& chart, double width);
 
-/// Where the text of a row's events stands, from left to right: beside its tick, to the right or
-/// where that is beyond `end` to the left, in one of two levels, -1 where both are taken: then its
-/// tick is all there is.
+/// Positions of the texts of a row's events, from left to right: beside the tick, to its right or
+/// (beyond `end`) to its left, in one of two levels, -1 if both are occupied: then only the tick is
+/// drawn.
 struct EventText {
     int level = -1;
     bool leftward = false;
@@ -66,7 +66,7 @@ struct EventText {
 std::vector<EventText> event_texts(const std::vector<double>& x, const std::vector<double>& width,
                                    double end);
 
-/// A name of at most so many letters, the rest as "…".
+/// A name shortened to this many letters, with "…".
 std::string shortened(const std::string& name, std::size_t letters);
 std::size_t letters_of(const std::string& name);
 

@@ -5,7 +5,7 @@
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 
-/// Instants as a page's readers name them: by the scene's clock, `utc_offset` [s] ahead of UTC.
+/// Instants as text for readers of a page: on the scene's clock, `utc_offset` [s] ahead of UTC.
 namespace diurna {
 
 /// "05:12", with seconds where they are not zero.

@@ -9,12 +9,12 @@
 
 namespace diurna {
 
-/// Frames of an observer in a band, each on a scale of its own and on one of all, read from the
-/// run's folder; so small that the series has room in a page.
+/// Frames of an observer in a band, each on its own scale and on a common one, read from the run's
+/// folder; reduced so that the series fits in a page.
 PictureSeries contact_sheet(const std::filesystem::path& folder, const std::string& observer,
                             const Band& band, const std::vector<Instant>& frames);
 
-/// What each side of so many pictures is divided by in a page.
+/// Divisor of each side of this many pictures in a page.
 int page_shrink(int width, int height, std::size_t pictures);
 
 }  // namespace diurna

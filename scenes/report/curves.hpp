@@ -16,23 +16,23 @@ struct DiurnalCurve {
     std::size_t facets = 0;
     double area = 0.0;         // [m²]
     std::vector<double> mean;  // (instant) [K]
-    double tenth = 0.0;        // [K] at the warmest instant a tenth of the area is colder,
-    double ninetieth = 0.0;    // [K] and a tenth warmer
+    double tenth = 0.0;        // [K] at the warmest instant 10 % of the area is colder
+    double ninetieth = 0.0;    // [K] and 10 % warmer
     std::size_t coldest() const;
-    std::size_t warmest() const;  // the first instant of the greatest mean
+    std::size_t warmest() const;  // the first instant with the maximum mean
 };
 
-/// One curve for each group, of one facet at least.
+/// One curve for each group with at least one facet.
 std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
                                          const std::vector<FacetGroup>& groups);
 
-/// Mean over the areas of a group of what (facet) has, one instant. Its facets one after the other:
-/// the same to the bit whatever else is done.
+/// Area-weighted mean over a group of (facet) values at one instant. Its facets are summed in
+/// order: bitwise reproducible.
 double area_mean(const FacetGroup& group, const std::vector<float>& area,
                  std::span<const float> value);
 
-/// Instants at which the mean of `a` crosses that of `b`, linear between kept instants: where the
-/// contrast of the two vanishes (thermal crossover).
+/// Instants at which the mean of `a` crosses that of `b`, linear between stored instants: zero
+/// contrast (thermal crossover).
 std::vector<Instant> crossovers(const std::vector<Instant>& instants, const DiurnalCurve& a,
                                 const DiurnalCurve& b);
 

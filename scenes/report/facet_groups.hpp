@@ -8,7 +8,7 @@
 #include "scenes/plan/prepared.hpp"
 #include "terrain/facets.hpp"
 
-/// What a page reports the temperatures of: facets under a name.
+/// Groups of facets whose temperatures a page shows.
 namespace diurna {
 
 struct FacetGroup {
@@ -17,11 +17,11 @@ struct FacetGroup {
 };
 
 /// One for each material that has facets, by name; levels of its textures and both sides of its
-/// sheets count with it.
+/// sheets are included.
 std::vector<FacetGroup> material_groups(const FacetSet& facets, const MaterialLibrary& materials);
 
-/// One for the ground and each polygon, building and object that has facets of its own, in the
-/// scene's order. Copies of an object have its temperatures and no facets.
+/// One for the ground and each polygon, building and object with its own facets, in the scene's
+/// order. Copies that share an object's temperatures have none.
 std::vector<FacetGroup> object_groups(const Prepared& prepared);
 
 /// The parts of a building or an object: its facets by material, of a target by part.
@@ -29,7 +29,7 @@ struct ObjectParts {
     std::string object;
     std::vector<FacetGroup> part;
 };
-/// Of those that have several, in the scene's order.
+/// For those with several parts, in the scene's order.
 std::vector<ObjectParts> part_groups(const Prepared& prepared);
 
 }  // namespace diurna

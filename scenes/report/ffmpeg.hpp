@@ -10,23 +10,23 @@
 
 namespace diurna {
 
-/// What ffmpeg can make of pictures here.
+/// Formats of movies.
 enum class MovieKind { mp4, gif };
 
-/// A movie that ffmpeg makes of pictures as they come: MP4 (H.264), or a GIF that repeats, of a
-/// palette chosen for all its pictures. It stands under its name once finish() has
-/// returned; before that, or if the program is interrupted, there is nothing of it, and what was
-/// there stays.
+/// A movie made by ffmpeg from pictures as they arrive: MP4 (H.264), or a looping GIF with a
+/// palette chosen for all its pictures. It gets its name when finish() has returned; before
+/// that, or if the program is interrupted, no file is created and an existing one is
+/// unchanged.
 class FfmpegMovie {
  public:
-    /// Starts ffmpeg. Throws std::runtime_error where there is none on the PATH.
+    /// Starts ffmpeg. Throws std::runtime_error if it is not on the PATH.
     FfmpegMovie(const std::filesystem::path& file, MovieKind kind, double pictures_per_second);
     ~FfmpegMovie();
     FfmpegMovie(const FfmpegMovie&) = delete;
     FfmpegMovie& operator=(const FfmpegMovie&) = delete;
 
-    /// One picture as PNG, all of the same size. Throws std::runtime_error where ffmpeg takes no
-    /// more.
+    /// Adds one picture as PNG, all of the same size. Throws std::runtime_error if ffmpeg has
+    /// stopped reading.
     void add(std::span<const std::byte> png);
     void finish();
 

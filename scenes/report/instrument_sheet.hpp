@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// What an instrument displays of frames, read from the run's folder, as small as a page needs.
+/// An instrument's display pictures of frames, read from the run's folder, reduced for a page.
 PictureSeries instrument_sheet(const std::filesystem::path& folder, const std::string& observer,
                                const std::string& band, const std::string& instrument,
                                const std::vector<Instant>& frames);

@@ -8,11 +8,11 @@
 
 namespace diurna {
 
-/// A line for each material of a library: name, albedo, emissivity, bands, inertia, what it is.
+/// A line for each material of a library: name, albedo, emissivity, bands, inertia, description.
 std::string materials_list(const MaterialLibrary& library, const LibraryNotes& notes);
 
-/// One material: what it comes to, the lines of the library file that give its numbers with their
-/// sources, those of the materials it is like, the heads of its spectra's files, and the tags.
+/// One material: its key figures, the lines of the library file with its numbers and their sources,
+/// those of the materials it is derived from, the headers of its spectra's files, and the tags.
 ///
 /// folder  of the library file
 std::string material_sheet(const Material& material, const LibraryNotes& notes,

@@ -14,6 +14,7 @@
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/input/bands.hpp"
+#include "scenes/plan/sweep_folder.hpp"
 #include "scenes/report/ffmpeg.hpp"
 
 namespace diurna {
@@ -27,7 +28,8 @@ using SeriesFiles = std::map<std::pair<std::string, std::string>, std::vector<fs
 
 SeriesFiles series_in(const fs::path& folder) {
     if (!fs::is_directory(folder / "frames")) {
-        throw InputError(folder.string(), "found no folder frames, expected the folder of a run");
+        throw InputError(folder.string(), "found no folder frames, expected the folder of a run",
+                         variant_hint(folder));
     }
     SeriesFiles all;
     for (const auto& entry : fs::directory_iterator(folder / "frames")) {
@@ -56,10 +58,10 @@ SeriesFiles::value_type chosen(const MovieOptions& options) {
                (!options.band.empty() && entry.first.second != options.band);
     });
     if (all.size() == 1) return *all.begin();
+    if (known.empty()) throw InputError(options.folder.string(), "has no pictures in frames");
     throw InputError(options.folder.string(),
                      fmt::format("{} series of pictures match, expected one of: {}", all.size(),
-                                 known.empty() ? "the run has none"
-                                               : fmt::format("{}", fmt::join(known, "; "))));
+                                 fmt::join(known, "; ")));
 }
 
 /// What is shown of a band; one of the scene's own by its temperature.

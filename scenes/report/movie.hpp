@@ -11,21 +11,21 @@ namespace diurna {
 struct MovieOptions {
     std::filesystem::path folder;  // of a run
     std::string observer, band;    // "": the only one
-    std::filesystem::path file;    // .mp4 or .gif; "": OBSERVER_BAND.mp4 in the folder
+    std::filesystem::path file;    // .mp4 or .gif; "": OBSERVER_BAND.mp4 in folder
     double pictures_per_second = 10.0;
 };
 
 struct MovieReport {
     std::filesystem::path file;
     std::size_t pictures = 0;
-    ColourScale scale{};  // of all of them
+    ColourScale scale{};  // common to all of them
     std::string plane, unit;
 };
 
-/// The pictures of an observer in a band one after the other as MP4 or GIF, all on one scale of
-/// colours: the widest of theirs. Throws InputError where the folder has no such pictures, or
-/// several observers or bands and none is said; where a GIF is to be faster than viewers show it;
-/// std::runtime_error without ffmpeg.
+/// The pictures of an observer in a band in sequence as MP4 or GIF, all on one scale of colours,
+/// the widest of theirs. Throws InputError if the folder has no such pictures, or several observers
+/// or bands and none is given; if a GIF is to be faster than viewers can show; std::runtime_error
+/// without ffmpeg.
 MovieReport write_movie(const MovieOptions& options);
 
 }  // namespace diurna

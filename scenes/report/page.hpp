@@ -6,19 +6,20 @@
 
 namespace diurna {
 
-/// A page's beginning: its title, how it looks on a screen, a phone and paper, links to its
-/// sections (id, name), and what a browser may run of it: page_script() alone, whatever else
-/// might have got into it.
+/// A page's beginning: its title, its styles for screen, phone and paper, links to its sections
+/// (id, name), and a policy that allows only page_script() to run, even if other scripts got into
+/// the page.
 std::string page_begin(const std::string& title,
                        const std::vector<std::pair<std::string, std::string>>& sections);
 
-/// Its end, with the script.
+/// The page's end, with the script.
 std::string page_end();
 
-/// What moves the sliders of picture_series.hpp. Without it the page has no sliders and is whole.
+/// The script of the picture series' sliders. The page is complete without
+/// sliders.
 const std::string& page_script();
 
-/// SHA-256 of page_script() in base64, by which the page allows it (Content Security Policy,
+/// SHA-256 of page_script() in base64, with which the page permits it (Content Security Policy,
 /// W3C).
 extern const char* const page_script_digest;
 

@@ -11,7 +11,7 @@
 
 namespace diurna {
 
-/// What a page says of how well the heat balance was solved: names and values.
+/// Rows of a page on the quality of the heat balance's solution: names and values.
 std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& solve);
 
 /// Writes report.html into a run's folder: one self-contained page with a contact sheet of every

@@ -5,22 +5,22 @@
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/prepared.hpp"
 
-/// What a page reports of a run in tables, each as HTML.
+/// Tables of a page about a run, each as HTML.
 namespace diurna {
 
-/// Place, facets, frames, how the heat balance began and whether it has converged.
+/// Place, facets, frames, start of the heat balance and whether it converged.
 std::string facts_table(const Prepared& prepared, const JobReport& report);
 
-/// Errors that the run knows of, measured or bounded, with what they were found by.
+/// Known errors of the run, measured or bounded, and how they were obtained.
 std::string errors_table(const Prepared& prepared, const JobReport& report);
 
-/// Seconds of every stage as the plan thought and as it took, and rays.
+/// Seconds of every stage, estimated and measured, and rays.
 std::string timings_table(const JobReport& report);
 
-/// What the plan computes and skips, why, and what that costs.
+/// Decisions of the plan: computed or skipped, why, and the cost.
 std::string decisions_table(const Plan& plan);
 
-/// What was modelled for want of data, and what else a reader should know.
+/// Quantities modelled for lack of data, and other notes.
 std::string notes_list(const JobReport& report);
 
 /// Files that the results depend on, with SHA-256.

@@ -10,10 +10,10 @@
 
 namespace diurna {
 
-/// What adaptive sampling is to tell hard pixels by: at up to four of the frames' instants, evenly
-/// chosen, the facets' heat in each thermal band (thermal_appearance), and by day their sunlight in
-/// each band below 3 µm, 100 K for a white facet that faces the sun. Of all frames of a view,
-/// whichever are still to be rendered, so that a run taken up again looks alike.
+/// Criteria by which adaptive sampling selects pixels: at up to four evenly chosen instants of the
+/// frames, the facets' apparent temperature in each thermal band (thermal_appearance), and by day
+/// their sunlight in each band below 3 µm, 100 K for a white facet that faces the sun. From all
+/// frames of a view, including those already rendered, so that a resumed run has the same pictures.
 std::vector<Appearance> appearances(const Prepared& prepared, std::span<const Instant> frames,
                                     const FacetViews& views, const TemperatureField& field,
                                     std::span<const Band> bands);

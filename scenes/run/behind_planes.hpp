@@ -13,10 +13,10 @@
 
 namespace diurna {
 
-/// The truth planes "object_behind.BAND": at pixels whose centre is a net or a pane that lets a
-/// twentieth or more of the band's light pass (its mean transmittance; of all such on the way), the
-/// ObjectId of the first thing behind of another object, 0 the ground; −1 where there is none and
-/// at all other pixels. Bands in which no pixel's centre is such have no plane.
+/// The truth planes "object_behind.BAND": at pixels whose centre is a net or a pane that transmits
+/// a twentieth or more of the band's light (its mean transmittance; of all of them in sequence),
+/// the ObjectId of the first other object behind, 0 the ground; −1 without one and at all other
+/// pixels. Bands without such pixels have no plane.
 std::vector<Plane> behind_planes(const View& view, const World& world, const RayScene& rays,
                                  const MaterialLibrary& materials, const Observer& observer,
                                  std::span<const Band> bands);

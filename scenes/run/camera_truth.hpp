@@ -6,15 +6,15 @@
 #include "render/picture/camera_tags.hpp"
 #include "scenes/plan/prepared.hpp"
 
-/// Where a picture was taken, when, and in what light and air: for EXR, manifest and labels.
+/// Position, time, light and air of a picture: for EXR, manifest and labels.
 namespace diurna {
 
 CameraTags camera_tags(const Prepared& prepared, const Observer& observer, Instant instant);
 
-/// Facts by name as text, numbers apart by blanks to nine digits.
+/// Facts by name as text, numbers separated by blanks with nine digits.
 using Facts = std::map<std::string, std::string>;
 
-/// Of a camera, the same at every instant:
+/// Facts of a camera, the same at every instant:
 ///
 ///     camera.position_m             east, north, up of the site
 ///     camera.geodetic               latitude, longitude [°], height above the ellipsoid [m]
@@ -27,7 +27,7 @@ using Facts = std::map<std::string, std::string>;
 ///     camera.intrinsics_pixels      pinhole: fx, fy, cx, cy
 Facts camera_facts(const World& world, const Observer& observer);
 
-/// Of an instant:
+/// Facts of an instant:
 ///
 ///     time.utc, time.local, time.utc_offset_s   ISO 8601; the scene's clock ahead of UTC
 ///     sun.azimuth_deg, .elevation_deg, .direction   as seen through the air; east, north, up
@@ -38,10 +38,10 @@ Facts camera_facts(const World& world, const Observer& observer);
 ///     sky.cloud_base_m, _top_m      thermal emissivity, and the part of the sky whose sunlight it
 ///     sky.cloud_emissivity          takes with the optical depth it has there
 ///     sky.cloud_over_sun
-///     sky.scale                     what measured light is over the scene's air: beam, diffuse,
-///                                   emitting column, heat (LightScale); 1 1 1 1: its own
-///     air.temperature_K, .pressure_Pa, .vapour_pressure_Pa, .wind_m_s   the weather's
-///     air.visibility_m              where the air is modelled
+///     sky.scale                     ratio of measured light to the scene's air: beam, diffuse,
+///                                   emitting column, heat (LightScale); 1 1 1 1: unscaled
+///     air.temperature_K, .pressure_Pa, .vapour_pressure_Pa, .wind_m_s   from the weather
+///     air.visibility_m              if the air is modelled
 Facts instant_facts(const Prepared& prepared, Instant instant);
 
 }  // namespace diurna

@@ -12,24 +12,24 @@
 
 namespace diurna {
 
-/// A scene's heat as this run has solved it, or as an earlier one of the same matter, places,
-/// weather and steps has left it in the store.
+/// A scene's heat solved in this run, or taken from the cache of an earlier run with the same
+/// materials, places, weather and steps.
 struct SceneHeat {
-    SpanResult result;   // its report, where it was solved
+    SpanResult result;   // its report, if solved
     bool solved = true;  // by this run
-    /// "not converged", "start", each "note", each "row ..." of the report's table: of whichever
-    /// run has solved it.
+    /// "not converged", "start", each "note", each "row ..." of the report's table: from the run
+    /// that solved it.
     Messages reported;
 };
 
-/// As solve_scene(). Taken from the store are temperatures whose instants are among those kept
-/// there; not where state or fluxes are asked for.
+/// As solve_scene(). From the cache only if its stored instants include those needed; not if state
+/// or fluxes are requested.
 ///
-/// - inputs: of the run, for a scene that nothing was changed of since it was read
+/// - inputs: of the run, for a scene that is unchanged since it was read
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
                      double tolerance);
 
-/// What is given by a name: "start".
+/// Messages with a name: "start".
 std::vector<std::string> reported_as(const std::string& name, const SceneHeat& heat);
 
 }  // namespace diurna

@@ -9,15 +9,15 @@
 
 namespace diurna {
 
-/// What an observer's frames tell of themselves, each the worst of them.
+/// Messages about an observer's frames, each for the worst of them.
 ///
-/// - reported: what the ledger has of each frame, notes by name that begin with a number
+/// - reported: the ledger's entry for each frame, notes by name that begin with a number
 
-/// For every band what the tables say of their error against the direct sum (Frame::notes); how
-/// finely surfaces under snow or wet are distinguished in the frame that has most of them.
+/// For every band the error of the tables against the direct sum (Frame::notes); and the resolution
+/// of surfaces with snow or water in the frame with the most of them.
 std::vector<std::string> errors_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported);
-/// For every band how many pixels its grey picture could not hold ("beyond.BAND").
+/// For every band the number of pixels outside its grey picture's scale ("beyond.BAND").
 std::vector<std::string> beyond_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported);
 

@@ -16,21 +16,21 @@
 namespace diurna {
 
 struct FramesReport {
-    std::size_t rendered = 0;             // (observer, instant); the others were there
-    std::vector<std::string> notes{};     // how well tables and water were followed: worst frames
-    std::vector<std::string> warnings{};  // what pictures could not hold, how instruments took them
+    std::size_t rendered = 0;             // (observer, instant); the others existed
+    std::vector<std::string> notes{};     // errors of tables and water: worst frames
+    std::vector<std::string> warnings{};  // pixels outside scales, instruments' warnings
 };
 
-/// Renders every frame that the ledger has not, writes it as EXR with a PNG quick-look
-/// (scenes/plan/frame_files.hpp) and enters it. What is reported is of all frames, kept or
+/// Renders every frame that is not in the ledger, writes it as EXR with a PNG quick-look
+/// (scenes/plan/frame_files.hpp) and enters it. The report covers all frames, existing or
 /// rendered.
 ///
 /// - chosen: the scene's observers with the bands and frames to render
-/// (scenes/plan/chosen_pictures)
+///   (scenes/plan/chosen_pictures)
 FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
                            const TemperatureField& field, const std::filesystem::path& out,
                            Progress& progress, Ledger& ledger);
-/// Renders them, whatever stands there.
+/// Renders them even if they exist.
 FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
                            const TemperatureField& field, const std::filesystem::path& out,
                            Progress& progress);

@@ -8,21 +8,21 @@
 #include "scenes/run/stages.hpp"
 #include "thermal/temperature_field.hpp"
 
-/// Temperatures that an earlier run has left, for pictures and studies of now.
+/// Temperatures of an earlier run, for new pictures and studies.
 namespace diurna {
 
 struct GivenHeat {
     TemperatureField field;
-    std::vector<std::string> warnings{};  // what they were solved with otherwise
+    std::vector<std::string> warnings{};  // differences between their inputs and the present ones
 };
 
-/// Reads them. Throws InputError where they are of another scene: of other facets, places,
-/// materials, objects or weather. Other inputs that are not what they were, the scene file among
-/// them beyond its observers, bands and labels, are reported as a warning.
+/// Reads them. Throws InputError if they are of another scene: of other facets, places, materials,
+/// objects or weather. Other changed inputs, including the scene file beyond its observers, bands
+/// and labels, are reported as a warning.
 GivenHeat given_heat(const Prepared& prepared, const std::filesystem::path& file);
 
-/// Throws InputError for pictures of facets that the run of `file` left to others of their kind
-/// (tolerance_K).
+/// Throws InputError for pictures of facets that the run of `file` did not solve but took from
+/// representatives (tolerance_K).
 void check_solved(const Stages& stages, const TemperatureField& field,
                   const std::filesystem::path& file);
 

@@ -10,28 +10,28 @@
 
 namespace diurna {
 
-/// In one line by how much a solver has missed its tolerance; "" where it has converged.
+/// One line on how far a solver missed its tolerance; "" if it converged.
 std::string not_converged(const SolveReport& report);
 
-/// Throws InputError where the state that the scene goes on from is none, or of another scene or
+/// Throws InputError if the state from which the scene continues is missing, or of another scene or
 /// instant: before anything is written.
 void check_start(const Prepared& prepared);
 
-/// Shadows and heat balance, stage by stage: temperatures alone. Throws InputError as
-/// check_start().
-/// Where a tolerance is given, facets that no picture sees and whose heat none feels are not
-/// solved: others stand for them (scenes/run/needed_facets.hpp), and a note reports how many and
-/// what of.
+/// Shadows and heat balance, stage by stage: only temperatures. Throws InputError as
+/// check_start(). With a tolerance, facets that are neither visible in pictures nor
+/// thermally coupled to visible ones are not solved: they use representatives'
+/// temperatures (scenes/run/needed_facets.hpp), and a note reports their number and
+/// kind.
 ///
-/// - tolerance: [K] rms that pictures may be worse by; 0: every facet is solved
-/// - check_points: places in pictures that are solved besides; a note reports how far facets are
-///   from them (scenes/run/check_error.hpp). None where objects move or a state is kept or read
+/// - tolerance: [K] allowed rms error of pictures; 0: every facet is solved
+/// - check_points: points in pictures that are solved in addition; a note reports the facets' error
+///   (scenes/run/check_error.hpp). None if objects move or a state is written or read
 SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0,
                        int check_points = 0);
 
 inline constexpr const char* state_file = "state.nc";
-/// Writes temperatures with names, clock and fluxes, and beside them the state at the end, if the
-/// scene asks for it.
+/// Writes temperatures with names, clock and fluxes, and also the state at the end, if the scene
+/// requests it.
 void write_heat(const Prepared& prepared, const SpanResult& result,
                 const std::filesystem::path& temperatures);
 

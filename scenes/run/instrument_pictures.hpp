@@ -11,11 +11,11 @@
 
 namespace diurna {
 
-/// Takes an instrument's pictures of the flux that seen_flux() has left in EXR files: planes of
-/// what is measured beside it, counts, what is displayed, and the calibration. Returns what a
-/// reader is to be reported.
+/// Computes an instrument's pictures from the flux in the EXR files of seen_flux(): planes of the
+/// measured signal, counts, display picture, and the calibration. Returns messages for the
+/// report.
 ///
-/// A bolometer's picture goes on from those before it as far as its time constant reaches.
+/// A bolometer's picture depends on previous ones within the reach of its time constant.
 ///
 /// - wanted: numbers of the observer's frames
 std::vector<std::string> take_pictures(const InstrumentView& view, const Prepared& prepared,

@@ -10,8 +10,8 @@
 
 namespace diurna {
 
-/// An instrument made ready, and an observer that sees its radiance: the same eye with more and
-/// finer pixels, in the band that weighs radiance as the instrument does.
+/// A prepared instrument, and an observer for its radiance: the same eye with more and smaller
+/// pixels, in the band with the instrument's weight.
 struct InstrumentView {
     const InstrumentInput& input;
     const ObserverInput& observer;
@@ -19,15 +19,15 @@ struct InstrumentView {
     Camera camera;
     ObserverInput seen;
 
-    /// An observer's place widened by the margins and made finer.
+    /// An observer's pose with the margins and the finer pixels.
     Observer widened(const Observer& pose) const;
 };
 
-/// Those of an observer. `scene` is to outlive them.
+/// The instrument views of an observer. `scene` must outlive them.
 std::vector<std::unique_ptr<const InstrumentView>> instrument_views(const Scene& scene,
                                                                     const ObserverInput& observer);
 
-/// One of them with what it sees from a place.
+/// One of them with its view from a pose.
 struct InstrumentSeries {
     const InstrumentView& view;
     std::unique_ptr<const Observer> pose;

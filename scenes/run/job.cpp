@@ -125,8 +125,8 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     std::set<std::string> keep{ledger_file, "manifest.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
     clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
-        progress.tell(fmt::format("{}: {} of an earlier run rendered again, {} removed",
-                                  out.string(), number_of(cleared.again, "file"), cleared.gone));
+        progress.tell(fmt::format("{}: replaces {} of an earlier run, removes {}", out.string(),
+                                  number_of(cleared.again, "file"), cleared.gone));
         if (cleared.gone == 0) return;
         report.remade.push_back(fmt::format("{} of an earlier run removed from {}",
                                             number_of(cleared.gone, "file"), out.string()));
@@ -170,6 +170,24 @@ TemperatureField given_field(const Stages& stages, const std::vector<ObserverInp
     report.warnings.insert(report.warnings.end(), given.warnings.begin(), given.warnings.end());
     report.heat.emplace_back("temperatures", "from file: " + file.filename().string());
     return std::move(given.field);
+}
+
+/// What --resume has reused, and why where that is nothing.
+std::string resumed(const fs::path& out, const std::string& earlier, const std::string& key,
+                    bool temperatures, std::size_t reused, std::size_t all) {
+    if (earlier.empty()) {
+        return fmt::format("--resume: {} held no earlier run; everything was computed",
+                           out.string());
+    }
+    if (earlier != key) {
+        return fmt::format(
+            "--resume: scene, settings, inputs or program changed since the earlier run in {}; "
+            "everything was computed again",
+            out.string());
+    }
+    return fmt::format("--resume: {}, {} of {} reused from the earlier run in {}",
+                       temperatures ? "temperatures reused" : "temperatures computed", reused,
+                       number_of(all, "frame"), out.string());
 }
 
 /// What was reported of the heat balance when it was solved, in this run or the one it is kept
@@ -222,7 +240,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     if (!options.temperatures.empty()) {
         field = given_field(stages, chosen, options.temperatures, report);
     }
-    const bool begun = options.resume && ledger_key(out) == manifest.key;
+    const std::string earlier = ledger_key(out);
+    const bool begun = options.resume && earlier == manifest.key;
     const bool given = !options.from.empty() && !begun;
     if (given) gather_parts({options.from}, out, manifest.key, report.files);
     const FolderLock lock(out);
@@ -246,6 +265,12 @@ JobReport run_job(Scene scene, const JobOptions& options) {
 
     const FramesReport frames = render_frames(stages, chosen, field, out, progress, ledger);
     report.frames_rendered = frames.rendered;
+    if (options.resume) {
+        std::size_t all = 0;
+        for (const ObserverInput& observer : chosen) all += observer.frames.size();
+        report.resumed =
+            resumed(out, earlier, manifest.key, !report.solved, all - frames.rendered, all);
+    }
     for (const auto& notes : {frames.notes, frames.warnings}) {
         report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     }

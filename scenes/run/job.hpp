@@ -22,18 +22,18 @@ namespace diurna {
 struct JobOptions {
     std::filesystem::path out = "out";
     std::vector<std::string> settings{};         // "key=value" given on the command line
-    std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
+    std::shared_ptr<const StageStore> stages{};  // cache of earlier results; null: none
     PictureChoice pictures{};                    // those to render; others are skipped
-    std::vector<std::filesystem::path> parts{};  // folders of runs that have them all between them
-    std::filesystem::path from{};  // folder of a run of the same inputs that has temperatures
-    std::filesystem::path temperatures{};  // file of those to be seen, in place of a heat balance
-    bool resume = false;                   // keep what an earlier run with the same inputs has left
-    double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free
+    std::vector<std::filesystem::path> parts{};  // folders of runs that have them all together
+    std::filesystem::path from{};  // folder of a run with the same inputs that has temperatures
+    std::filesystem::path temperatures{};  // file to be used instead of a heat balance
+    bool resume = false;                   // retain files of an earlier run with the same inputs
+    double max_memory = 0.0;  // [bytes] limit for the plan; 0: free memory of the machine
     ProgressTo progress{};
 };
 
-/// The whole way: plan, build, solve, render, write. Results are the same bytes for any number
-/// of threads. A killed run leaves whole files only and can be resumed.
+/// The whole job: plan, build, solve, render, write. Results are the same bytes for any number of
+/// threads. A killed run leaves only complete files and can be resumed.
 JobReport run_job(Scene scene, const JobOptions& options);
 
 }  // namespace diurna

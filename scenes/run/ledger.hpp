@@ -10,35 +10,35 @@
 
 namespace diurna {
 
-/// Which files of a folder are whole, and what they are: "ledger.jsonl". A line is added as soon as
-/// files that belong together are in place, so that of a run that was ended anywhere those are kept
-/// whose bytes are what they were, and no other: not one of an older run, of another hour, cut
-/// short or edited. Its first line has the key of what they were made of.
+/// List of a folder's complete files with their digests: "ledger.jsonl". A line is added as soon as
+/// files that belong together are in place, so that after an interrupted run only files with
+/// unchanged bytes are reused, and none of an older run, of another hour, truncated or edited. Its
+/// first line has the key of their inputs.
 class Ledger {
  public:
-    /// Takes from the folder's ledger what one of the same key says of files whose content has that
+    /// Reads the entries of a ledger of the same key in the folder whose files still have their
     /// digest. Writes nothing.
     ///
-    /// - keep: false: nothing of an earlier one counts
+    /// - keep: false: ignores earlier entries
     Ledger(std::filesystem::path folder, const std::string& key, bool keep);
 
-    /// Whether all of these are there as they were made. Of none: true.
+    /// Whether all of these exist unchanged. True for an empty list.
     bool has(const std::vector<std::string>& files) const;
-    /// Files that belong together and stand whole in the folder. Safe from many threads.
+    /// Adds files that belong together and are complete in the folder. Thread-safe.
     void add(const std::vector<std::string>& files, Messages reported);
-    /// Enters what another has whose files stand in this folder, too; of those that both have what
-    /// was reported of either.
+    /// Adds the entries of another ledger whose files are also in this folder; for files in both,
+    /// messages of both are combined.
     void take(const Ledger& other);
-    /// Of the files that were added with this one.
+    /// Messages of the files that were added with this one.
     Messages reported(const std::string& file) const;
-    /// Of all files, by their names relative to the folder.
+    /// Digests of all files, by their names relative to the folder.
     std::map<std::string, std::string> digests() const;
-    /// Files that an earlier one of the same key has and that are not what it says, or gone.
+    /// Files in an earlier ledger of the same key that were changed or removed.
     const std::vector<std::string>& changed() const { return changed_; }
-    /// Writes it whole, in the order of the names: before the first file is added, and at the end
-    /// for the same bytes, whichever was made first.
+    /// Writes it, in the order of the names: before the first file is added, and at the end, so
+    /// that the bytes do not depend on the order of completion.
     ///
-    /// - expected: files to come, so that one left by a killed run is known for one of its own
+    /// - expected: files to come, so that one left by a killed run is recognised
     void write(const std::vector<std::string>& expected = {}) const;
 
  private:
@@ -58,12 +58,12 @@ class Ledger {
 
 inline constexpr const char* ledger_file = "ledger.jsonl";
 
-/// Names of a folder's ledger, those expected too, whatever its key; none where there is none.
+/// Names in a folder's ledger, with expected ones, for any key; empty without a ledger.
 std::vector<std::string> ledger_names(const std::filesystem::path& folder);
-/// The key in its first line; "" where there is none.
+/// The key in its first line; "" without a ledger.
 std::string ledger_key(const std::filesystem::path& folder);
-/// SHA-256 of the files in a folder's ledger, by name, whatever its key and whatever became of
-/// them; empty where there is none.
+/// SHA-256 of the files in a folder's ledger, by name, for any key, even if the files have changed;
+/// empty without a ledger.
 std::map<std::string, std::string> ledger_digests(const std::filesystem::path& folder);
 
 }  // namespace diurna

@@ -8,7 +8,7 @@
 
 namespace diurna {
 
-/// What the numbers of truth planes stand for.
+/// Meaning of the numbers in truth planes.
 struct Legend {
     struct Object {
         std::size_t id;  // of the plane `object`
@@ -19,14 +19,14 @@ struct Legend {
         std::string name;
     };
     struct Part {
-        std::size_t object, part;            // its ObjectId; place in the mesh
+        std::size_t object, part;            // its ObjectId; index in the mesh
         std::string name;                    // of its group or node
-        std::string material;                // as the scene file has it
-        std::vector<std::size_t> materials;  // ids of what it is made of in the planes: a sheet's
-                                             // two sides, or the part's own copy
+        std::string material;                // as in the scene file
+        std::vector<std::size_t> materials;  // ids of its materials in the planes: a sheet's two
+                                             // sides, or the part's own copy
     };
     std::vector<Object> object;
-    std::vector<Material> material;  // those that any surface is made of
+    std::vector<Material> material;  // those of any surface
     std::vector<Part> part;          // of meshes
 };
 

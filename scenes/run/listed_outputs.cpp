@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/cache/digest.hpp"
+#include "scenes/plan/sweep_folder.hpp"
 #include "scenes/run/ledger.hpp"
 
 namespace diurna {
@@ -86,6 +87,13 @@ bool is_whole(const fs::path& folder, const std::map<std::string, std::string>& 
 std::vector<std::string> verify(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw InputError(folder.string(), "no such folder");
     const ListedOutputs listed = listed_outputs(folder);
+    if (!listed.found && !sweep_around(folder).empty()) {
+        throw InputError(folder.string(), "is a part of a sweep, which is verified as a whole",
+                         "diurna verify " + sweep_around(folder).string());
+    }
+    if (!listed.found && is_sweep_folder(folder)) {
+        return {"manifest.json: missing, as the sweep is not complete (--resume completes it)"};
+    }
     if (!listed.found) return {"manifest.json: missing, or not written by a run"};
     std::vector<std::string> lines;
     if (!listed.done) lines.push_back("manifest.json: the run is not complete");

@@ -5,26 +5,26 @@
 #include <string>
 #include <vector>
 
-/// What a folder's own lists say of its files.
+/// Checks of a folder's files against its lists.
 namespace diurna {
 
 /// The files of a run or a sweep by its manifest.json.
 struct ListedOutputs {
-    bool found = false;                           // a manifest.json that diurna has written
-    bool done = false;                            // of a run that came to its end
+    bool found = false;                           // a manifest.json written by diurna
+    bool done = false;                            // the run is complete
     std::map<std::string, std::string> digest{};  // SHA-256 by name, relative to the folder
 };
 ListedOutputs listed_outputs(const std::filesystem::path& folder);
 
-/// Whether a run has written there, ended or not.
+/// Whether a run, finished or not, has written there.
 bool is_listed(const std::filesystem::path& folder);
 
-/// Whether all of these stand in a folder with that content: SHA-256 by name.
+/// Whether all of these exist in a folder with that content: SHA-256 by name.
 bool is_whole(const std::filesystem::path& folder,
               const std::map<std::string, std::string>& digests);
 
-/// A line for each file that is gone, changed, or not listed though it stands among those that are;
-/// none where the folder is what its run has left. Throws InputError for what is no folder.
+/// A line for each file that is missing, changed, or not listed although it is among listed ones;
+/// none if the folder is unchanged since its run. Throws InputError if it is not a folder.
 std::vector<std::string> verify(const std::filesystem::path& folder);
 
 }  // namespace diurna

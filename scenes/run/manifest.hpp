@@ -15,33 +15,33 @@
 
 namespace diurna {
 
-/// A camera's place and picture: of one that goes at each of its frames, of another once.
+/// A camera's pose and picture: for a moving one at each of its frames, otherwise once.
 struct CameraCourse {
-    std::vector<Instant> frame{};  // empty: it stands
+    std::vector<Instant> frame{};  // empty: at rest
     std::vector<Facts> facts{};    // camera_facts()
 };
 
-/// What manifest.json says of a run beside its scene, its inputs and the program's version.
+/// Content of manifest.json besides scene, inputs and the program's version.
 struct Manifest {
     std::string key{};  // job_key()
     std::vector<RunInput> inputs{};
     std::vector<std::string> settings{};            // of the command line
-    std::vector<std::string> only{};                // what of the pictures was chosen; empty: all
-    std::vector<Instant> frames{};                  // when pictures are taken
+    std::vector<std::string> only{};                // selection of the pictures; empty: all
+    std::vector<Instant> frames{};                  // instants of pictures
     Site site{};                                    // for their solar time
     std::vector<Facts> facts{};                     // (frame) instant_facts()
     std::map<std::string, CameraCourse> cameras{};  // by observer
     Legend legend{};
-    std::string weather{};               // what was modelled and filled in of it
-    std::string start{};                 // how the heat balance's was found, and what it is worth
-    std::string not_converged{};         // by how much the temperatures miss the tolerance
-    std::vector<std::string> outputs{};  // files of the folder; empty: still running
+    std::string weather{};               // notes on modelled and filled values
+    std::string start{};                 // how the heat balance's start was computed; effect
+    std::string not_converged{};         // how far the temperatures miss the tolerance
+    std::vector<std::string> outputs{};  // files of the folder; empty: running
     std::vector<Progress::Stage> stages{};
 };
 
 /// Writes manifest.json: key, inputs and outputs with SHA-256, versions, seed, settings, timings.
-/// Written once without outputs when a job begins, so that a killed run can be resumed, and
-/// again when it is done.
+/// Written without outputs when a job begins, so that a killed run can be resumed, and again when
+/// it is done.
 void write_manifest(const std::filesystem::path& folder, const Scene& scene,
                     const Manifest& manifest);
 

@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// What an observer sees at an instant.
+/// The picture of an observer at an instant.
 struct Picture {
     Frame frame;             // of its bands, its notes those of the tables' errors
     std::vector<Cube> cube;  // of its cubes
@@ -17,15 +17,15 @@ struct Picture {
     CameraTags camera;
 };
 
-/// - series: cast from where the observer is
-/// - field: temperatures about the instant
-/// - blurred: objects go on while the picture is taken
+/// - series: cast from the observer's pose
+/// - field: temperatures around the instant
+/// - blurred: objects move during the exposure
 /// Throws std::runtime_error for a radiance that is not finite.
 Picture picture_at(const Prepared& prepared, const Series& series, const FacetViews& views,
                    const TemperatureField& field, Instant instant, bool blurred = false);
 
-/// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
-/// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.
+/// The truth plane "void": 1 at pixels whose ground was filled in at missing elevations
+/// (World::filled, which is not empty), 0 elsewhere, −1 for sky.
 Plane void_plane(const View& view, const World& world);
 
 }  // namespace diurna

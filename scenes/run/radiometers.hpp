@@ -13,14 +13,14 @@ namespace diurna {
 /// The files of a scene's radiometers: "radiometer_NAME.csv".
 std::vector<std::string> radiometer_files(const Scene& scene);
 
-/// Writes them into a folder: a row for each step of the heat balance, in W m⁻²: what falls on a
-/// receiver of 1 cm² that faces each way, of the heat balance's own sun, sky and facets
+/// Writes them into a folder: a row for each step of the heat balance, in W m⁻²: irradiance of a
+/// receiver of 1 cm² in each direction, from the heat balance's own sun, sky and facets
 /// (thermal/received_light.hpp), by 4096 rays a direction, 64 to the sun's disc.
 ///
 /// - result: of the scene, with heat balances at every step
 ///
-/// Returns "row radiometer NAME" with the ranges of what it received, for the report, and a "note"
-/// for each radiometer that sees much of what is not modelled.
+/// Returns "row radiometer NAME" with the ranges of its irradiance, for the report, and a "note"
+/// for each radiometer whose view includes much that is not modelled.
 Messages write_radiometers(const Stages& stages, const SpanResult& result,
                            const std::filesystem::path& folder);
 

@@ -9,21 +9,21 @@
 
 #include "scenes/cache/inputs.hpp"
 
-/// The folder that results go to: one run's alone, never another's and never a user's own.
+/// The results folder: used by one run only, and never one with a user's own files.
 namespace diurna {
 
 enum class FolderKind { run, sweep };
 
-/// Throws InputError where results cannot go: a file, a device, a folder that holds something else
-/// than an earlier run's (or sweep's) results. Writes nothing.
+/// Throws InputError if results cannot be written there: a file, a device, a folder with other
+/// content than an earlier run's (or sweep's) results. Writes nothing.
 void check_run_folder(const std::filesystem::path& out, FolderKind kind);
 
-/// Throws InputError where an input lies in the folder: results would go over what they are made
-/// of.
+/// Throws InputError if an input is in the folder: results would overwrite
+/// it.
 void check_no_input_in(const std::filesystem::path& out, const std::vector<RunInput>& inputs);
 
-/// A folder that is made if it is not there, and this process's alone while the object lives; the
-/// system ends that when the process ends, however it does. Throws InputError where another has it.
+/// A folder that is created if necessary and locked by this process while the object exists; the
+/// system releases the lock when the process ends. Throws InputError if another process has it.
 ///
 /// - shared: with others that share it: the shards of a sweep
 class FolderLock {
@@ -37,17 +37,17 @@ class FolderLock {
     int file_ = -1;
 };
 
-/// What becomes of earlier runs' files: how many of pictures are written again, and how many of
-/// pictures and labels are removed, not to be written again.
+/// Treatment of earlier runs' files: number of pictures that are rewritten, and number of pictures
+/// and labels that are removed and not rewritten.
 struct Cleared {
     std::size_t again = 0, gone = 0;
 };
 
-/// Removes what earlier runs have left in a run's folder: those files that they list, pictures and
-/// labels of the same names, temporary files of killed runs. Throws InputError, and removes
-/// nothing, where another file stands among the pictures or labels.
+/// Removes files of earlier runs from a run's folder: those they list, pictures and labels of the
+/// same names, temporary files of killed runs. Throws InputError, and removes nothing, if another
+/// file is among the pictures or labels.
 ///
-/// - keep: names that stay
+/// - keep: names that are not removed
 /// - expected: of the run that begins
 /// - tell: called before anything is removed, if any picture or label is
 void clear_run_folder(const std::filesystem::path& out, const std::set<std::string>& keep,

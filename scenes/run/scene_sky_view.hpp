@@ -6,10 +6,11 @@
 
 namespace diurna {
 
-/// What each facet sees: the ground's sky by the march over the raster, all else by rays.
+/// View factors of each facet: the ground's sky by the march over the raster, others by
+/// rays.
 ///
-/// - sunlight: of what goes through panes, sunlight; else heat
-/// - store: of what earlier runs have found; null: none
+/// - sunlight: transmittance of panes for sunlight; else thermal
+/// - store: cache of earlier results; null: none
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false,
                           const StageStore* store = nullptr);
 

@@ -23,7 +23,7 @@ struct CubeSeries {
     LitFacets lit;
 };
 
-/// What stays of an observer's pictures from frame to frame, while neither it nor anything moves.
+/// The constant part of an observer's pictures over its frames, while nothing moves.
 struct Series {
     const ObserverInput& input;
     const Observer& observer;
@@ -33,14 +33,15 @@ struct Series {
     SecondaryRays secondary_rays;
     LitFacets lit;
     std::vector<CubeSeries> cubes;
-    std::vector<Plane> behind;  // of bands in which something is seen through something
+    std::vector<Plane> behind;  // for bands in which objects are visible behind nets or panes
 };
 
-/// Casts the view of an observer and lights what is the same at every instant.
+/// Casts the view of an observer and computes the light that is the same at every
+/// instant.
 ///
-/// - pose: the observer, where it is
-/// - frames: of the pictures that the series is for
-/// - asked: (pixel) those that are not zero are seen; empty: all (render/view/view.hpp)
+/// - pose: of the observer
+/// - frames: of the pictures of the series
+/// - asked: (pixel) pixels to be cast (non-zero); empty: all (render/view/view.hpp)
 Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
                    std::span<const Instant> frames, const FacetViews& views,
                    const TemperatureField& field, std::span<const std::uint8_t> asked = {});

@@ -13,21 +13,21 @@
 
 namespace diurna {
 
-/// What the heat balance asks of a stage, made once.
+/// Inputs of the heat balance for one stage, computed once.
 class StageHeat {
  public:
-    /// - stage: to outlive it
+    /// - stage: must outlive it
     /// - end: of the span
     StageHeat(const SceneStage& stage, Instant end);
-    StageHeat(const StageHeat&) = delete;  // the input names its members
+    StageHeat(const StageHeat&) = delete;  // the input refers to its members
     StageHeat& operator=(const StageHeat&) = delete;
 
     const SolveInput& input() const { return input_; }
     SunExposure exposure(const std::vector<Instant>& instants);
-    /// Shadows on these facets alone, (facet that rays know) 1.
+    /// Shadows only on these facets, (facet known to rays) 1.
     void ask_for(std::vector<std::uint8_t> facets) { daily_.ask_for(std::move(facets)); }
     double shadow_seconds() const { return shadow_seconds_; }
-    /// In a line each what is to be known of it.
+    /// Notes for the report, one line each.
     std::vector<std::string> reported(const SolveReport& report) const;
 
  private:

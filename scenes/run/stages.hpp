@@ -11,21 +11,21 @@
 
 namespace diurna {
 
-/// A scene while all its objects rest, and what its facets see.
+/// A scene while all its objects are at rest, and its view factors.
 struct SceneStage {
     const Prepared& prepared;
     const FacetViews& views;
-    const StageStore* store = nullptr;  // of what earlier runs have found
+    const StageStore* store = nullptr;  // cache of earlier results
 };
 
-/// The scene stage by stage (scenes/world/movers.hpp); one where nothing goes. What a stage sees is
-/// worked out when it is first asked for. Safe to use from many threads.
+/// The scene stage by stage (scenes/world/movers.hpp); one stage without motion. View factors of a
+/// stage are computed when first needed. Thread-safe.
 class Stages {
  public:
-    /// - prepared: to outlive it
-    /// - store: what earlier runs have found is taken from there; null: all is recomputed
+    /// - prepared: must outlive it
+    /// - store: cache of earlier results; null: all is recomputed
     explicit Stages(const Prepared& prepared, std::shared_ptr<const StageStore> store = nullptr);
-    /// - alike: of a scene with the same surfaces in the same places: what they see is shared
+    /// - alike: of a scene with the same surfaces in the same places: view factors are shared
     Stages(const Prepared& prepared, const Stages& alike);
     std::size_t size() const { return own_.size(); }
     SceneStage at(std::size_t stage) const;

@@ -6,8 +6,8 @@
 
 namespace diurna {
 
-/// Whose heat the facets of a scene hold: their mesh by a digest, and what lies below each material
-/// they are of. Surfaces may change from run to run (albedo, emissivity, evaporation), columns may
+/// Identifies the facets of a state: their mesh by a digest, and the layers below each of their
+/// materials. Surfaces may change from run to run (albedo, emissivity, evaporation), columns may
 /// not.
 StateOwner state_owner(const FacetSet& facets, const MaterialLibrary& materials);
 

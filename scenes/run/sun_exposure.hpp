@@ -13,32 +13,34 @@
 
 namespace diurna {
 
-/// Who is in the sun at each of some instants, and when between them shadows' edges pass.
+/// Sunlit shares at each of some instants, and the times of shadows' edges between them.
 SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Instant>& instants);
 
-/// The same for one day of a span after the other. From day to day the sun passes the same hours
-/// some minutes of arc away, so days are worked out in full only as often as it has moved by
-/// `furthest_deg`. Between two of these a facet that both found alike, at the instant and at those
-/// beside it, keeps the share that they found; the others' is recomputed.
+/// The same for the days of a span in sequence. From day to day the sun is displaced by some
+/// minutes of arc at the same hour, so days are computed completely only as often as it has moved
+/// by `furthest_deg`. Between two of these a facet with equal shares in both, at the instant and at
+/// its neighbours, keeps that share; the others are recomputed.
 ///
-/// What that can miss is what is missed between instants already, which are 2.5° of the sun's way
-/// apart at 10 minutes: a shadow narrower than the way between places that agree. On the default
-/// scene's hills 2e-4 of the shares are another, and 3 % of the edges, at the most
+/// This can miss only what is already missed between instants, which are 2.5°
+/// of the sun's path apart at 10 minutes: a shadow narrower than the distance
+/// between places that agree. On the default scene's hills at most 2e-4 of
+/// the shares differ, and 3 % of the edges
 /// (tests/scenes/sun_exposure_test.cpp).
 class DailySunExposure {
  public:
     static constexpr double furthest_deg = 1.25;
 
-    /// - end: of the span; nothing is kept for days after it
-    /// - store: of what earlier runs have found; null: none
+    /// - end: of the span; nothing is stored for days after it
+    /// - store: cache of earlier results; null: none
     DailySunExposure(const Prepared& prepared, Instant end, const StageStore* store = nullptr);
-    /// Asks for some facets alone, (facet that rays know) 1; the others are in shadow. Empty: all.
+    /// Restricts it to some facets, (facet known to rays) 1; others are in shadow. Empty:
+    /// all.
     void ask_for(std::vector<std::uint8_t> facets) { asked_for_ = std::move(facets); }
 
-    /// - instants: of days that follow each other, at the same hours; others are worked out in full
+    /// - instants: of consecutive days, at the same hours; others are computed completely
     SunExposure of(const std::vector<Instant>& instants);
 
-    /// The share of instants and facets that were not worked out anew, 0 to 1.
+    /// The share of instants and facets that were not recomputed, 0 to 1.
     double share_taken_over() const;
 
  private:
@@ -52,7 +54,7 @@ class DailySunExposure {
     Instant end_;
     const StageStore* store_;
     std::vector<std::uint8_t> asked_for_{};
-    std::optional<SunExposure> before_, after_;  // days worked out in full
+    std::optional<SunExposure> before_, after_;  // days computed completely
     double asked_ = 0.0, taken_over_ = 0.0;      // instants and facets
 };
 

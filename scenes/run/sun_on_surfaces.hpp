@@ -8,18 +8,19 @@
 
 namespace diurna {
 
-/// The sun as the scene sees it at an instant, refracted by its weather's air.
+/// The apparent sun at an instant, refracted by the weather's air.
 SunPosition sun_over(const Prepared& prepared, Instant instant);
 
-/// More samples of facets that a shadow's edge crosses (SunFractionOptions): the same in the heat
-/// balance and in pictures, which take a facet's temperature to be that of its share of the sun.
+/// Additional samples of facets that a shadow's edge crosses (SunFractionOptions): the same
+/// in the heat balance and in pictures, where a facet's temperature is that of its sunlit
+/// share.
 constexpr int edge_samples(int samples) { return 3 * samples; }
 
-/// Share of each surface that the sun reaches, 0 to 1, by `samples` rays a facet; empty while the
-/// sun is down. A texture's levels on a facet are lit as the facet is.
+/// Sunlit share of each surface, 0 to 1, by `samples` rays a facet; empty while the sun is down. A
+/// texture's levels on a facet have the facet's share.
 ///
-/// - wanted: facets of World::surfaces(); the others are reported to be in shadow. Empty: all
-/// - time: of the exposure, in a scene that moves
+/// - wanted: facets of World::surfaces(); the others count as in shadow. Empty: all
+/// - time: of the exposure, in a scene with motion
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
                                    std::span<const FacetId> wanted = {}, float time = 0.5f);
 

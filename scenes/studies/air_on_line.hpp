@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// From an eye to a target, as a line through the air.
+/// The line of sight from an eye to a target through the air.
 ///
 /// - target_height: [m] above the sea
 /// - elevation_deg: of the eye above the target's level
@@ -23,7 +23,7 @@ class AirOnLine {
     /// - farthest: [m]
     AirOnLine(const Atmosphere& air, const Band& band, double target_height, double elevation_deg,
               double farthest);
-    /// Its logarithm is straight over the cube root of range between 96 knots.
+    /// Its logarithm is linear in the cube root of range between 96 knots.
     double operator()(double range) const;
 
  private:

@@ -7,17 +7,17 @@
 
 namespace diurna {
 
-/// A kind of study that a scene may ask for.
+/// A kind of study in a scene.
 struct StudyKind {
     const char* word;  // of its tables, its verb and, in Python, its method
-    const char* says;  // of it on the command line
+    const char* says;  // its description on the command line
     StudyFindings (*find)(const StudyRequest& request);
-    const char* temperatures;  // what `--temperatures` stands for; null: it takes none
+    const char* temperatures;  // meaning of `--temperatures`; null: not available
 };
 
 const std::array<StudyKind, 5>& study_kinds();
 
-/// Throws InputError where there is none of that name.
+/// Throws InputError if there is no study of that name.
 const StudyKind& study_kind(std::string_view word);
 
 }  // namespace diurna

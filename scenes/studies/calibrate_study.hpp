@@ -8,11 +8,11 @@
 
 namespace diurna {
 
-/// Numbers of a column that are asked for by [calibrate], as the verb and Python do.
+/// Fits the numbers listed in [calibrate] of a column, for the verb and Python.
 struct CalibrateRequest {
-    std::string file;  // of the column, to tell of mistakes
+    std::string file;  // of the column, for messages
     ColumnWith column_with;
-    std::filesystem::path out{};  // folder for the files; empty: none is written
+    std::filesystem::path out{};  // folder for the files; empty: no files
 };
 
 /// Its name is "calibrate". Throws InputError.

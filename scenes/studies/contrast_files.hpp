@@ -7,14 +7,14 @@
 
 namespace diurna {
 
-/// A line for each target, observer, instant and band. Empty where there is nothing to take it of.
+/// A line for each target, observer, instant and band. Undefined values are empty.
 ///
-/// - scene: whose observers the input names; its clock is that of the times
+/// - scene: with the observers that the input names; times are on its clock
 std::string contrast_csv(const ContrastInput& input, const ContrastReport& report,
                          const Scene& scene);
 
-/// Settings, what each measure is, and of each target and band the worst picture, the share of
-/// pictures above the threshold, and contrast over range.
+/// Settings, definition of each measure, and for each target and band the worst picture, the share
+/// of pictures above the threshold, and contrast over range.
 std::string contrast_json(const ContrastInput& input, const ContrastReport& report,
                           const Scene& scene, const std::vector<std::string>& notes);
 

@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// What a picture shows of a target and its background: apparent temperatures in a band [K].
+/// Apparent temperatures of a target and its background in a picture, in a band [K].
 struct SeenContrast {
     double range = 0.0;  // [m] from the target
     double target = 0.0, background = 0.0;
@@ -20,17 +20,18 @@ struct SeenContrast {
 struct LineOfContrast {
     double target_height = 0.0;         // [m] above the sea
     double elevation_deg = 0.0;         // of the eye above the target's level
-    SunLight sun{};                     // by night its zenith angle is 90 degrees or more
-    double azimuth_from_sun_deg = 0.0;  // of the way from the eye to the target
+    SunLight sun{};                     // at night its zenith angle is 90 degrees or more
+    double azimuth_from_sun_deg = 0.0;  // of the direction from the eye to the target
 };
 
-/// The contrast of a picture taken to other ranges on the same line, as radiance goes through the
-/// air at every wavelength of the band: target and background are the black bodies that, behind the
-/// air of the picture's range, have the picture's radiance; the air of another range lets their
-/// light through and adds its own and the sunlight that it scatters; what is left is the difference
-/// of apparent temperatures there. Aspect and background stay.
+/// The contrast of a picture converted to other ranges on the same line of sight, with
+/// transmission at every wavelength of the band: target and background are black bodies
+/// with the picture's radiance behind the air at the picture's range; the air at
+/// another range transmits their light and adds its own and scattered sunlight; the
+/// result is the difference of apparent temperatures there. Aspect and background are
+/// unchanged.
 ///
-/// At the picture's own range it is the picture's (tests/scenes/contrast_test.cpp).
+/// Exactly the picture's contrast at its own range (tests/scenes/contrast_test.cpp).
 class ContrastOnLine {
  public:
     ContrastOnLine(const Atmosphere& air, const Band& band, const LineOfContrast& line,
@@ -42,7 +43,7 @@ class ContrastOnLine {
     PathSpectrum path(double range) const;
     /// Apparent temperature [K] of a black body behind a path.
     double seen_through(const PathSpectrum& path, double kelvin) const;
-    /// The black body that has such an apparent temperature behind it.
+    /// The temperature of the black body with such an apparent temperature behind it.
     double body_behind(const PathSpectrum& path, double apparent) const;
 
     const Atmosphere& air_;
@@ -51,10 +52,10 @@ class ContrastOnLine {
     std::function<std::vector<double>(const SightLine&, double)> scattered_;
     double target_ = 0.0, background_ = 0.0;  // [K] the bodies
     double spread_ = 0.0;                     // [K] of the target's
-    double scale_ = 1.0;                      // to the picture's own
+    double scale_ = 1.0;                      // factor to the picture's own
 };
 
-/// The same at many ranges up to the farthest: its logarithm straight over the cube root of range
+/// The same at many ranges up to the farthest: its logarithm is linear in the cube root of range
 /// between 96 knots.
 class ContrastOverRange {
  public:

@@ -4,7 +4,7 @@
 
 namespace diurna {
 
-/// How targets and treatments stand out from what is around them: every [[contrast]] of the scene.
+/// Contrast of targets and treatments with their background: every [[contrast]] of the scene.
 /// Throws InputError.
 StudyFindings contrast_study(const StudyRequest& request);
 

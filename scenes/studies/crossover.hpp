@@ -11,20 +11,20 @@
 
 namespace diurna {
 
-/// A crossing, and how well its hour is known.
+/// A crossing, and the accuracy of its time.
 struct TimedCrossing {
-    Instant when;  // to the second; where it was refined, of the finer solution
+    Instant when;  // to the second; if refined, from the finer solution
     ZeroCrossing::Kind kind = ZeroCrossing::Kind::crosses;
     bool first_warmer_after = false;
-    double slope = 0.0;  // [K/s] of the difference, first less second; [K] of what jumps: its step
-    double least = 0.0;  // [K] of what touches
-    /// [s] by which it has moved with half the step and twice the samples: of second order, three
-    /// times what is left; none: not tried, or it is gone then.
+    double slope = 0.0;  // [K/s] of the difference, first minus second; [K] step of a jump
+    double least = 0.0;  // [K] minimum of a touch
+    /// [s] change with half the step and twice the samples: of second order, three times the
+    /// remaining error; none: not computed, or no crossing then.
     std::optional<double> refined;
-    /// (uncertain number) [s] by which it moves a standard deviation away; none: it is gone, or
-    /// more than three hours off.
+    /// (uncertain number) [s] change for one standard deviation; none: no crossing, or more than
+    /// three hours away.
     std::vector<std::optional<double>> shift;
-    double sigma = 0.0;  // [s] root sum square of all shifts that there are
+    double sigma = 0.0;  // [s] root sum square of all available changes
 };
 
 /// Two regions in one band over the span.
@@ -34,7 +34,7 @@ struct CrossoverDay {
     std::vector<double> first, second;  // (instant) [K] apparent temperature, mean over pixels
     std::vector<TimedCrossing> crossing;
     double lost = 0.0;         // [s] with less contrast than the threshold
-    double worst_least = 0.0;  // [K] the least contrast of all instants
+    double worst_least = 0.0;  // [K] the smallest contrast of all instants
 };
 
 struct CrossoverReport {
@@ -44,16 +44,16 @@ struct CrossoverReport {
 
 struct CrossoverAnswer {
     std::vector<CrossoverReport> report;  // (crossover of the scene)
-    std::vector<std::string> notes;       // of the scenes that were solved beside it
+    std::vector<std::string> notes;       // of the additional scenes that were solved
 };
 
-/// All crossovers of a scene: those that are asked of one observer share its pictures. Throws
-/// InputError for regions that fill no pixel, and where an object or the observer goes.
+/// All crossovers of a scene: those of one observer share its pictures. Throws InputError for
+/// regions that fill no pixel, and if an object or the observer moves.
 CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
                               const SceneWith& scene_with);
 
-/// Throws InputError where one of them cannot be, a region fills no pixel, or an uncertain number
-/// is none of the scene's: before anything is solved.
+/// Throws InputError if one of them is invalid, a region fills no pixel, or an uncertain number is
+/// not in the scene: before anything is solved.
 void check_crossovers(const Study& study, const SceneWith& scene_with);
 
 }  // namespace diurna

@@ -104,6 +104,10 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
         "apparent temperature of the first region minus that of the second: the black-body "
         "temperature of the mean radiance over the pixels that the region alone fills, atmosphere "
         "included";
+    json["sigma"] =
+        "sigma_s: one standard deviation (68 %) of the time, the root sum square of the shifts; "
+        "shift_s: the change of the time with one number at its one_sigma, a standard deviation "
+        "(68 %) from its value in the scene";
     json["bands"] = OrderedJson::array();
     for (const CrossoverDay& day : report.band) {
         OrderedJson crossings = OrderedJson::array();

@@ -7,14 +7,14 @@
 
 namespace diurna {
 
-/// A line for each crossing: band, time, kind, who is warmer after, slope, standard deviation, and
-/// how far each uncertain number moves it; empty where it is gone then.
+/// A line for each crossing: band, time, kind, which is warmer afterwards, slope, standard
+/// deviation, and the change for each uncertain number; empty if there is no crossing then.
 ///
 /// - utc_offset: [s] of the scene's clock
 std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& report,
                           double utc_offset);
 
-/// A line for each instant and band: what either looks like, and the difference [K].
+/// A line for each instant and band: both apparent temperatures, and the difference [K].
 std::string contrast_curves_csv(const CrossoverReport& report, double utc_offset);
 
 /// Settings, crossings, hours without contrast.
@@ -28,7 +28,7 @@ std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& re
 
 /// "crosses", "jumps", "touches".
 const char* word_of(ZeroCrossing::Kind kind);
-/// Keys of the uncertain numbers with which a crossing is gone.
+/// Keys of the uncertain numbers for which there is no crossing.
 std::vector<std::string> gone_with(const CrossoverInput& input, const TimedCrossing& crossing);
 
 }  // namespace diurna

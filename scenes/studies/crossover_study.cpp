@@ -26,11 +26,20 @@ std::string reported(const CrossoverInput& input, const TimedCrossing& one, doub
         text += fmt::format("{} is warmer afterwards, {:+.2f} K/h", warmer, 3600.0 * one.slope);
     }
     if (one.kind != ZeroCrossing::Kind::touches && !input.uncertain.empty()) {
-        text += fmt::format(", +- {:.1f} min", one.sigma / 60.0);
+        text += fmt::format(", +- {:.1f} min (one standard deviation, 68 %)", one.sigma / 60.0);
     }
     if (one.refined) text += fmt::format(", refined by {:+.0f} s", *one.refined);
     for (const std::string& key : gone_with(input, one)) text += ", absent with " + key;
     return text + "\n";
+}
+
+/// Of a band without a crossing: that uncertain numbers shift none.
+std::string without_effect(const CrossoverInput& input) {
+    if (input.uncertain.empty()) return "";
+    std::vector<std::string> keys;
+    for (const UncertainInput& one : input.uncertain) keys.push_back(one.key);
+    return fmt::format(", so {} {} no effect on its time", fmt::join(keys, ", "),
+                       keys.size() == 1 ? "has" : "have");
 }
 
 std::string reported(const CrossoverInput& input, const CrossoverReport& report,
@@ -43,7 +52,8 @@ std::string reported(const CrossoverInput& input, const CrossoverReport& report,
             day.band, input.first.name, input.second.name, report.first_pixels,
             report.second_pixels, day.lost / 3600.0, hours, input.threshold);
         if (day.crossing.empty()) {
-            text += fmt::format("  no crossover: smallest difference {:.2f} K\n", day.worst_least);
+            text += fmt::format("  no crossover: smallest difference {:.2f} K{}\n", day.worst_least,
+                                without_effect(input));
         }
         for (const TimedCrossing& one : day.crossing) text += reported(input, one, utc_offset);
     }

@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// When two things look equally warm, and how well that is known: every [[crossover]] of the scene.
-/// Throws InputError.
+/// When two things have equal apparent temperature, with its uncertainty: every [[crossover]] of
+/// the scene. Throws InputError.
 StudyFindings crossover_study(const StudyRequest& request);
 
 }  // namespace diurna

@@ -10,14 +10,14 @@
 
 namespace diurna {
 
-/// What a target is to an instrument at an instant, as rendered from where its observer is.
+/// A target in an instrument's band at an instant, rendered from its observer's position.
 struct SeenTarget {
     Instant when;
     double range = 0.0;          // [m] from the eye to its middle
     double elevation_deg = 0.0;  // of the eye above its level
-    double area = 0.0;           // [m²] seen of it, projected
+    double area = 0.0;           // [m²] visible, projected
     double least_width = 0.0;    // [m] of the upright box around it in the picture
-    double difference = 0.0;     // [K] of apparent temperature: mean less the background's
+    double difference = 0.0;     // [K] of apparent temperature: mean minus the background's
     double background = 0.0;     // [K] that mean
     double spread = 0.0;         // [K] standard deviation over the target
     double contrast = 0.0;       // [K] root sum square of that and of its spread
@@ -31,17 +31,17 @@ struct DetectionCurve {
     std::vector<double> transmittance;                   // (range)
     std::vector<double> contrast;                        // (range) [K] at the eye
     std::array<std::vector<double>, 3> johnson, metric;  // (task)(range) probabilities
-    /// (task)(probability): ranges [m]; 0: not even at the least asked of.
+    /// (task)(probability): ranges [m]; 0: not even at the shortest range.
     std::array<std::vector<double>, 3> johnson_range, metric_range;
 };
 
-/// The contrast is that of the picture taken to other ranges on the same line
-/// (scenes/studies/contrast_on_line.hpp). Aspect and background stay. Throws InputError for a
-/// target of which nothing is seen.
+/// The contrast is that of the picture converted to other ranges on the same line
+/// (scenes/studies/contrast_on_line.hpp). Aspect and background are unchanged. Throws InputError
+/// for a target that is not visible.
 std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionInput& input,
                                          const TemperatureField& field, Progress& progress);
 
-/// What was assumed, and what an instrument is to the formulas, a line each.
+/// Assumptions, and the instrument's values in the formulas, a line each.
 std::vector<std::string> detection_notes(const Scene& scene, const DetectionInput& input);
 
 }  // namespace diurna

@@ -4,7 +4,7 @@
 
 namespace diurna {
 
-/// Ranges at which an instrument's display shows objects: every [[detection]] of the scene. Throws
+/// Detection ranges of objects on an instrument's display: every [[detection]] of the scene. Throws
 /// InputError.
 StudyFindings detection_study(const StudyRequest& request);
 

@@ -8,26 +8,26 @@
 
 namespace diurna {
 
-/// The scene as it is, with settings "key=value".
+/// Reads the scene with additional settings "key=value".
 using SceneWith = std::function<Scene(const std::vector<std::string>&)>;
 
 std::string setting(const std::string& key, double value);
 
-/// Throws InputError where the scene cannot be read with those.
+/// Throws InputError if the scene cannot be read with those.
 ///
-/// - where: that asks for it, in the scene file
+/// - where: position of the request in the scene file
 void check_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
                     const std::string& where);
 
-/// A scene that differs in numbers from the one that is studied, solved; its temperatures are kept
-/// at every step. Not to be moved: its stages know where it is.
+/// A variant of the studied scene with other numbers, solved; its temperatures are stored at every
+/// step. Must not be moved in memory: its stages refer to it.
 struct OtherScene {
     Prepared prepared;
     Stages stages;
     TemperatureField field{};
-    std::string not_converged{};  // "" where the heat balance has
+    std::string not_converged{};  // "" if the heat balance converged
 
-    /// Throws InputError where the numbers change how many facets there are.
+    /// Throws InputError if the numbers change the number of facets.
     OtherScene(Scene scene, Study& study);
     OtherScene(const OtherScene&) = delete;
     OtherScene& operator=(const OtherScene&) = delete;

@@ -13,20 +13,20 @@
 
 namespace diurna {
 
-/// What every pixel of a series sees first. Its own view has nothing of pixels that see a net, a
-/// pane, a mirror or a plume: their rays are followed (render/rays/follow_rays.hpp).
+/// The first surface at every pixel of a series. Its own view omits pixels that see a net, a pane,
+/// a mirror or a plume, whose rays are followed (render/rays/follow_rays.hpp).
 View first_seen(const Prepared& prepared, const Series& series);
 
-/// Facets of the surfaces that a region is made of, ascending; pixels have none, and copies that of
-/// the object they are copies of.
+/// Facets of a region's surfaces, ascending; pixel rectangles have none, and copies those of the
+/// original object.
 std::vector<FacetId> facets_of(const Prepared& prepared, const RegionInput& region);
 
 /// (pixel) share of a view's pixels that a region fills.
 std::vector<float> region_cover(const View& view, const Prepared& prepared,
                                 const RegionInput& region);
 
-/// (region) Pixels of an observer that stands which a region fills, and nothing else. Throws
-/// InputError for one that fills none, where the scene file names it.
+/// (region) Pixels of an observer at rest that a region fills completely. Throws InputError, with
+/// the position in the scene file, for one that fills none.
 ///
 /// - observer: of the scene's; samples: rays of a pixel
 std::vector<std::vector<std::uint32_t>> filled_pixels(const Prepared& prepared,
@@ -34,24 +34,24 @@ std::vector<std::vector<std::uint32_t>> filled_pixels(const Prepared& prepared,
                                                       const std::vector<RegionInput>& asked,
                                                       int samples);
 
-/// Regions of an observer's picture, and how strongly they shine at any instant. The view is cast
-/// once, and only where it shows one of them.
+/// Regions of an observer's picture, and their apparent temperature at any instant. The view is
+/// cast once, and only where it shows one of them.
 class SeenRegions {
  public:
     /// Throws InputError for a region that fills no pixel.
     ///
-    /// - stage: of a scene in which nothing goes; to outlive it
+    /// - stage: of a scene without motion; must outlive it
     /// - observer: of the scene's
-    /// - field: temperatures; to outlive it
+    /// - field: temperatures; must outlive it
     /// - samples: rays of a pixel
     SeenRegions(const SceneStage& stage, std::size_t observer,
                 const std::vector<RegionInput>& asked, const std::vector<std::string>& bands,
                 const TemperatureField& field, int samples);
 
-    /// Pixels that it fills.
+    /// Number of pixels that it fills.
     std::size_t pixels(std::size_t region) const { return pixel_[region].size(); }
-    /// Mean over its pixels [K], of the black body of as much radiance in the band, air included:
-    /// (region · bands + band). Safe to use from many threads.
+    /// Mean over its pixels [K] of the apparent temperature in the band, air included: (region ·
+    /// bands + band). Thread-safe.
     const std::vector<double>& apparent(Instant when) const;
 
  private:

@@ -4,9 +4,9 @@
 
 namespace diurna {
 
-/// What numbers that are not known well do to figures of a scene: every [[sensitivity]] of the
-/// scene. Its figures are of the heat balance at every step: a file of temperatures is no use.
-/// Throws InputError.
+/// Effect of uncertain numbers on results of a scene: every [[sensitivity]] of the scene. The
+/// results need the heat balance at every step, so a file of temperatures cannot be used. Throws
+/// InputError.
 StudyFindings sensitivity_study(const StudyRequest& request);
 
 }  // namespace diurna

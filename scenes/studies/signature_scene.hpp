@@ -14,7 +14,7 @@
 
 namespace diurna {
 
-/// A scene made ready for studies of single objects.
+/// A scene prepared for studies of single objects.
 class Study {
  public:
     explicit Study(Scene scene, ProgressTo progress);
@@ -22,16 +22,16 @@ class Study {
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }
     Progress& progress() { return progress_; }
-    /// Temperatures of a file of the same scene or, where it is "", those the heat balance finds.
-    /// Throws InputError for a file of other facets, and for what is studied where it cannot be,
-    /// before anything is solved.
+    /// Temperatures from a file of the same scene or, if it is "", from the heat balance. Throws
+    /// InputError for a file of other facets, and for invalid targets, before anything is
+    /// solved.
     TemperatureField heat(const std::filesystem::path& file,
                           const std::vector<StudiedObject>& studied);
-    /// The same of studies of the whole span.
+    /// The same for studies of the whole span.
     TemperatureField heat(const std::filesystem::path& file);
-    /// What is to be reported of scene and temperatures.
+    /// Notes on scene and temperatures for the report.
     const std::vector<std::string>& notes() const { return notes_; }
-    /// "" where the heat balance has converged.
+    /// "" if the heat balance converged.
     const std::string& not_converged() const { return not_converged_; }
 
  private:
@@ -52,16 +52,16 @@ struct StudiedTarget {
     double lowest = 0.0;  // [m] up
 };
 
-/// Throws InputError for one without surface, and while anything is on its way.
+/// Throws InputError for one without surface, and while anything is moving.
 StudiedTarget studied_target(const Stages& stages, const StudiedObject& studied, Instant when);
 
-/// What a picture shows of an object in one of its planes. A pixel counts for the share of it that
-/// the object covers, so that what edges mix is not lost.
+/// An object in one plane of a picture. A pixel counts for the share of it that the object covers,
+/// so that mixed pixels at its edges are included.
 struct ObjectFigures {
     double covered = 0.0;      // pixels
-    double difference = 0.0;   // mean over them less the background's
-    double spread = 0.0;       // standard deviation over pixels that it fills
-    double background = 0.0;   // mean; 0 where there is none to be seen
+    double difference = 0.0;   // mean over them minus the background's
+    double spread = 0.0;       // standard deviation over pixels that it fills completely
+    double background = 0.0;   // mean; 0 if none is visible
     double least_width = 0.0;  // pixels, of the upright box around it in the picture
     std::size_t background_pixels = 0;
 
@@ -70,7 +70,7 @@ struct ObjectFigures {
     double rss() const;
 };
 
-/// What a close picture of an object is made of: planes of its bands, and what counts.
+/// Contents of a close picture of an object: planes of its bands, and masks.
 struct CloseUp {
     Frame frame;
     std::vector<float> cover;          // (pixel) share that the object fills
@@ -79,9 +79,9 @@ struct CloseUp {
     ObjectFigures figures(const std::string& plane) const;
 };
 
-/// Takes it from `eye`, looking at the object's middle. The background are the pixels of the
-/// picture in which nothing of the object is, and which see a surface from its front or, of
-/// parallel rays, do not begin lower than the object does (in the ground).
+/// Renders it from `eye`, looking at the object's middle. The background is the pixels of the
+/// picture without any part of the object that see a surface from its front and, for parallel rays,
+/// do not begin lower than the object (in the ground).
 CloseUp close_up(const StudiedTarget& target, const Observer& eye,
                  const std::vector<std::string>& bands, int samples, const TemperatureField& field,
                  Instant when);

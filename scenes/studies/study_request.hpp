@@ -10,44 +10,45 @@
 #include "scenes/studies/other_scene.hpp"
 #include "scenes/studies/study_files.hpp"
 
-/// What the verbs and Python ask of studies, and what they get.
+/// Requests of studies by the verbs and Python, and their results.
 namespace diurna {
 
 struct StudyRequest {
     std::filesystem::path scene;          // a scene file
-    std::vector<std::string> settings{};  // "key.path=value" in place of what it says
+    std::vector<std::string> settings{};  // "key.path=value", replaces values of the file
     bool allow_outside = false;
-    std::filesystem::path temperatures{};  // netCDF file of `solve`; empty: they are solved
-    std::filesystem::path out{};           // folder for the files; empty: none is written
+    std::filesystem::path temperatures{};  // netCDF file of `solve`; empty: solved here
+    std::filesystem::path out{};           // folder for the files; empty: no files
     ProgressTo progress{};
 
     /// Throws InputError.
     Scene read() const { return read_with({}); }
     Scene read_with(const std::vector<std::string>& more) const;
-    /// Of this request, which is to outlive it.
+    /// For this request, which must outlive it.
     SceneWith scene_with() const;
 };
 
-/// What one table of the scene has come to.
+/// Result of one table of the scene.
 struct StudyFinding {
     std::string name;
-    StudyTexts texts{};                // as the files have them
-    std::string reported{};            // lines for a reader
-    std::vector<std::string> notes{};  // of this one alone
+    StudyTexts texts{};                // content of the files
+    std::string reported{};            // lines to be printed
+    std::vector<std::string> notes{};  // on this one only
 };
 
 struct StudyFindings {
-    std::vector<std::string> notes{};  // of the scene and its temperatures
+    std::vector<std::string> notes{};  // on the scene and its temperatures
     std::vector<StudyFinding> finding{};
-    std::string not_converged{};  // "" where all heat balances have
+    std::string not_converged{};  // "" if all heat balances converged
 };
 
-/// The files of all findings, where any are asked for.
+/// Writes the files of all findings, if requested.
 void write_findings(const StudyRequest& request, const StudyFindings& findings);
 
-/// Throws InputError where there is no table of the kind, or the files of those there are cannot be
-/// written (check_study_files): before anything is computed.
+/// Throws InputError if there is no table of the kind, or its files cannot be written
+/// (check_study_files): before anything is computed.
 ///
+/// - kind: "crossover"; names: of its tables; more: endings of further files
 /// - kind: "crossover"; names: of its tables; more: what follows a name in further files of it
 void check_asked(const StudyRequest& request, const Scene& scene, const char* kind,
                  const std::vector<std::string>& names, const char* more = nullptr);
@@ -60,7 +61,7 @@ std::vector<std::string> names_of(const std::vector<Input>& tables) {
     return names;
 }
 
-/// What they are about, of those that are of single objects.
+/// Their targets, for studies of single objects.
 template <class Input>
 std::vector<StudiedObject> studied_of(const std::vector<Input>& tables) {
     std::vector<StudiedObject> studied;
@@ -68,7 +69,7 @@ std::vector<StudiedObject> studied_of(const std::vector<Input>& tables) {
     return studied;
 }
 
-/// The notes of the whole and those of one.
+/// The common notes and those of one finding.
 std::vector<std::string> joined(std::vector<std::string> notes,
                                 const std::vector<std::string>& more);
 

@@ -9,19 +9,19 @@
 
 namespace diurna {
 
-/// What is known of a scene before anything is computed.
+/// Result of checking a scene before anything is computed.
 struct CheckedScene {
-    std::size_t facets = 0, observers = 0;  // of the scene as it stands
+    std::size_t facets = 0, observers = 0;  // of the unchanged scene
     double memory = 0.0;                    // [bytes] by its plan
-    std::string sweep{};                    // in one line; "" where there is none
-    std::vector<Mistake> warnings{};        // what is implausible, of every value of a sweep
-    std::vector<std::string> notes{};       // what was modelled for want of data
+    std::string sweep{};                    // in one line; "" without a sweep
+    std::vector<Mistake> warnings{};        // implausible input, for every value of a sweep
+    std::vector<std::string> notes{};       // quantities modelled for lack of data
 };
 
-/// Throws InputError with all that is wrong with a scene, of a sweep with each of its values by
-/// itself.
+/// Throws InputError with all mistakes of a scene, and for a sweep of each of its values
+/// separately.
 ///
-/// - settings, allow_outside: as it was read with
+/// - settings, allow_outside: as when it was read
 CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings, bool allow_outside);
 
 }  // namespace diurna

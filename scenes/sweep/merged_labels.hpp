@@ -8,17 +8,18 @@
 
 namespace diurna {
 
-/// What became of the labels of all variants.
+/// Merged labels of all variants.
 struct MergedLabels {
     std::vector<std::string> files{};  // relative to the sweep's folder
     std::vector<std::string> notes{};
 };
 
 /// One COCO data set of all variants' (scenes/labels/coco.hpp), in the same three files, with the
-/// lists and data.yaml for YOLO. Ids run through; names of pictures go from the sweep's folder;
-/// `images` say their `variant`. Training and validation are drawn anew over all variants.
+/// lists and data.yaml for YOLO. Ids are consecutive; names of pictures are relative to the sweep's
+/// folder; `images` have their `variant`. Training and validation are drawn again over all
+/// variants.
 ///
-/// - out: where all variants are done
+/// - out: folder with all finished variants
 MergedLabels merge_labels(const Sweep& sweep, const std::filesystem::path& out);
 
 }  // namespace diurna

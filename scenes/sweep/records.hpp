@@ -7,13 +7,13 @@
 
 #include "scenes/sweep/variants.hpp"
 
-/// What reports, in a sweep's folder, how far it is: a file written when a variant or the heat of
-/// some is done. Whole or not at all, so that a sweep that was ended anywhere can go on.
+/// Progress records in a sweep's folder: a file written when a variant or a common heat balance is
+/// done. Whole or not at all, so that an interrupted sweep can continue.
 namespace diurna {
 
 /// "heat/h2/done.json"
 struct SweptHeat {
-    std::string key;     // of all it depends on
+    std::string key;     // of all inputs
     std::string sha256;  // of its temperatures.nc
     std::string start, not_converged;
     std::vector<std::string> notes;
@@ -21,15 +21,15 @@ struct SweptHeat {
 /// "variants/v07/variant.json"
 struct VariantRecord {
     std::string key;
-    bool done = false;                           // else its pictures are being made
+    bool done = false;                           // else its pictures are being rendered
     std::map<std::string, std::string> outputs;  // SHA-256 by name, relative to its folder
-    std::vector<std::string> notes{};            // what its pictures reported of themselves
+    std::vector<std::string> notes{};            // messages of its pictures
 };
 
 std::filesystem::path heat_folder(const std::filesystem::path& out, const std::string& heat);
 std::filesystem::path variant_folder(const std::filesystem::path& out, const std::string& variant);
 
-/// Empty where there is none.
+/// Empty if there is none.
 SweptHeat read_heat_record(const std::filesystem::path& folder);
 VariantRecord read_variant_record(const std::filesystem::path& folder);
 
@@ -39,7 +39,7 @@ void write_variant_record(const std::filesystem::path& folder, const Sweep& swee
                           const Variant& variant, const VariantRecord& record);
 
 /// "manifest.json" of the whole: axes, variants with their values, folders and outputs, heats. The
-/// same bytes, however the work was divided.
+/// same bytes for any division of the work.
 void write_sweep_manifest(const std::filesystem::path& out, const Sweep& sweep,
                           const std::map<std::string, std::string>& outputs);
 

@@ -10,8 +10,8 @@ namespace diurna {
 /// In one line: "12 variants of 48 combinations, 3 solves of the heat balance".
 std::string count_reported(const Sweep& sweep);
 
-/// What `diurna plan` reports of a sweep: its variants, heats and seconds, by the plan of the scene
-/// as it stands.
+/// Text of `diurna plan` for a sweep: its variants, heats and seconds, from the plan of the
+/// unchanged scene.
 std::string describe(const Sweep& sweep, const Plan& base);
 
 }  // namespace diurna

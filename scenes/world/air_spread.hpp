@@ -9,13 +9,13 @@
 
 namespace diurna {
 
-/// How the scene's air spreads its scattered sunlight over the sky, for the heat balance: of the
-/// light that pictures of the instant have (instant_lights.hpp), by the functions that they take it
-/// by (render/light/directional_sky.hpp), at eight wavelengths weighted by their diffuse light.
-/// Hours of daylight, of long spans by height of the sun and share of the beam. Some 45 ms each.
-/// Null where the air is a table or a vacuum, or the sun never rises.
+/// Distribution of the air's scattered sunlight over the sky, for the heat balance: from the same
+/// light as pictures of the instant (instant_lights.hpp), in the functions used by pictures
+/// (render/light/directional_sky.hpp), at eight wavelengths weighted by their diffuse light. For
+/// hours of daylight, for long spans by height of the sun and share of the beam. Some 45 ms each.
+/// Null if the air is a table or a vacuum, or the sun never rises.
 ///
-/// - weather: as the heat balance has it, beam and diffuse light known
+/// - weather: as in the heat balance, with beam and diffuse light
 std::shared_ptr<const SkySpreads> air_spread(const Scene& scene, const World& world,
                                              const Weather& weather);
 

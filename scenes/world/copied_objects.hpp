@@ -7,16 +7,16 @@
 
 namespace diurna {
 
-/// Puts the copies of objects into a world in which all else stands.
+/// Adds the copies of objects to a world with everything else.
 ///
-/// Those whose surroundings are alike (surroundings.hpp), by no more than the object's
-/// `alike_within` from a copy before them, have the facets, the materials and so the temperatures
-/// of that one and are placements in World::copies; every other copy is an object with facets of
-/// its own, as any. A note reports how many are which and the largest estimate of what that is
-/// worth. The work is that of a few thousand rays for each copy, and a comparison with each that
-/// has facets of its own and heads nearly as it does.
+/// A copy whose surroundings are similar (surroundings.hpp) to those of an earlier copy, within
+/// the object's `alike_within`, uses the facets, the materials and so the temperatures of that
+/// one and is a placement in World::copies; every other copy is a separate object with its own
+/// facets. A note reports both numbers and the largest estimated difference. Takes a few thousand
+/// rays for each copy, and a comparison with each that has its own facets and nearly the same
+/// heading.
 ///
-/// Throws InputError where a texture lies on a material of theirs.
+/// Throws InputError if a texture is on one of their materials.
 void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets);
 
 }  // namespace diurna

@@ -7,9 +7,9 @@
 
 namespace diurna {
 
-/// The ground of copies that shall be fine for their shadows (ground_patch of each), none of it
-/// twice: where several ask for it, as tiles of one lattice whose borders fit point by point. Many
-/// squares laid over one another would be cut along all their sides and filled by all their
+/// The refined ground for the shadows of copies (ground_patch of each), without duplicates:
+/// if several need it, as tiles of one lattice whose borders fit point by point. Many
+/// overlapping squares would be cut along all their sides and filled with all their
 /// lattices.
 ///
 /// - copies: of one object

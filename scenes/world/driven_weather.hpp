@@ -6,13 +6,14 @@
 
 namespace diurna {
 
-/// A scene's weather with the sunlight and longwave of the scene's air where nobody measured them:
-/// clear light by air_light.hpp, under cloud sunlight by Kasten & Czeplak
-/// (materials/atmosphere/cloud_modification.hpp) and longwave of a black base behind the air below.
+/// A scene's weather, with unmeasured sunlight and longwave from the scene's air: clear light by
+/// air_light.hpp, under cloud sunlight by Kasten & Czeplak
+/// (materials/atmosphere/cloud_modification.hpp) and longwave of a black cloud base with air below
+/// it.
 ///
-/// Where all is measured: as it is. Where only longwave is missing it is put into the rows.
-/// Otherwise the series is a new one with every step of the heat balance. Rows whose cloud nobody
-/// saw nor measured sunlight shows are cloudless.
+/// Unchanged if everything is measured. If only longwave is missing it is added to the rows.
+/// Otherwise the series has every step of the heat balance. Rows whose cloud was neither observed
+/// nor can be inferred from measured sunlight are cloudless.
 Weather driven_weather(const Scene& scene, const World& world, const SkySeries& series);
 
 }  // namespace diurna

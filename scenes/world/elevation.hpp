@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// The elevation that a scene stands on: what its places have read already, or read anew
-/// (read_elevation). Throws InputError as that does.
+/// The elevation of a scene: the one already read for its places, or read here (read_elevation).
+/// Throws InputError as that does.
 Dem elevation_of(const Scene& scene);
 
 }  // namespace diurna

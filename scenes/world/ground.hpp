@@ -10,24 +10,24 @@
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
 
-/// The ground of a scene: elevation as triangles, each of its material.
+/// The ground of a scene: elevation as triangles, each with its material.
 namespace diurna {
 
-/// The ground's borders at one building, vertex by vertex [m]: round it counterclockwise, in its
+/// The ground's borders at one building, vertex by vertex [m]: around it counterclockwise, in its
 /// courtyards clockwise.
 using PlanBorders = std::vector<std::vector<Eigen::Vector3d>>;
 
-/// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
-/// count as ground. Under `buildings` there is none: nobody sees it, and it would meet the walls
-/// from behind. Round them it is finer.
+/// Ground of the raster, one object per polygon; shapes from files are below the polygons and count
+/// as ground. There is none under `buildings`: it is invisible, and it would see the walls from
+/// behind. Around them it is finer.
 ///
-/// Returns for each building the ground's borders at it; empty where they are not simple lines, as
-/// where plans overlap.
+/// Returns for each building the ground's borders at it; empty if they are not simple lines, for
+/// example where plans overlap.
 std::vector<PlanBorders> append_ground(World& world, const Scene& scene, const Dem& dem,
                                        std::span<const WalledPlan> buildings);
 
-/// The raster's heights along a plan's ring, as far apart as the ground's vertices there,
-/// `foot_edge` [m]; empty where it lies outside or over a void.
+/// The raster's heights along a plan's ring, at the spacing of the ground's vertices there,
+/// `foot_edge` [m]; empty if it is outside or over a void.
 std::vector<Eigen::Vector3d> raster_border(const Ring& ring, double foot_edge, const Dem& dem,
                                            const Site& site);
 

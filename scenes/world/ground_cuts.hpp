@@ -14,10 +14,10 @@
 #include "terrain/ground/rings.hpp"
 #include "terrain/raster/dem.hpp"
 
-/// The lines along which the ground of a scene is cut into triangles.
+/// Lines along which the ground of a scene is triangulated.
 namespace diurna {
 
-/// What stands with walls on the ground.
+/// A building with walls on the ground.
 struct WalledPlan {
     Ring ring;                 // counterclockwise; east, north [m]
     double height = 5.0;       // over the ground [m]
@@ -25,11 +25,11 @@ struct WalledPlan {
     std::vector<Ring> hole{};  // courtyards, which are ground; clockwise
 };
 
-/// What cuts the ground, lowest first: shapes of files, polygons of the scene, the plans of
-/// buildings, and last what makes it finer round objects and walls, without material or object.
+/// Cuts of the ground, lowest first: shapes from files, polygons of the scene, the plans of
+/// buildings, and last the refinements around objects and walls, without material or object.
 struct Cuts {
-    static constexpr int nothing = -1;    // no ground at all
-    static constexpr int courtyard = -2;  // the ground that lies under the building, as it is
+    static constexpr int nothing = -1;    // no ground
+    static constexpr int courtyard = -2;  // the ground under the building, unchanged
 
     std::size_t first_building = 0;     // footprint; those before are ground
     std::vector<std::int32_t> of_plan;  // (plan) its footprint
@@ -43,9 +43,9 @@ struct Cuts {
         material.push_back(std::move(of_material));
         object.push_back(of_object);
     }
-    /// Rings of those that are no patches.
+    /// Rings of cuts that are not refinements.
     std::vector<Ring> owned() const;
-    /// Those of them that are ground, whatever stands on it.
+    /// Those of them that are ground, even under buildings.
     std::vector<Ring> ground() const;
     bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
 };
@@ -53,15 +53,15 @@ struct Cuts {
 Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
              std::span<const WalledPlan> buildings);
 
-/// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
-/// lies on, a courtyard that of what the building stands on.
+/// The cut of a triangle, −1 for none. A refinement around an object belongs to the ground below
+/// it, a courtyard to the ground below the building.
 ///
 /// - owners: of cuts.owned()
 /// - ground: of cuts.ground()
 std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const RingIndex& ground,
                        const GroundMesh& mesh, std::size_t triangle);
 
-/// The vertices round the triangles of one cut: outside counterclockwise, round its holes
+/// The vertices around the triangles of one cut: outside counterclockwise, around its holes
 /// clockwise; none unless they are simple lines.
 std::vector<std::vector<std::uint32_t>> borders_of(const GroundMesh& mesh,
                                                    std::span<const std::int32_t> cut_of,

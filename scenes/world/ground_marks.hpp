@@ -3,10 +3,10 @@
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
 
-/// What is reported of each facet of the ground by where it lies.
+/// Marks of ground facets by their position.
 namespace diurna {
 
-/// Marks the ground facets on details of the raster: the relief does not know what they show.
+/// Marks the ground facets on details of the raster, which the relief does not include.
 void mark_details(World& world, const Dem& dem);
 
 /// Marks the ground facets whose elevation was filled in.

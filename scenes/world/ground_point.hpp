@@ -14,7 +14,7 @@ namespace diurna {
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
                              const std::string& where, const std::string& hint = "");
 
-/// The same; none where there is no ground.
+/// The same; nothing if there is no ground.
 std::optional<Eigen::Vector3d> ground_if_any(const Dem& dem, const Site& site,
                                              const Eigen::Vector2d& place);
 

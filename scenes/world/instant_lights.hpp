@@ -11,10 +11,10 @@
 
 namespace diurna {
 
-/// The light of an instant for pictures and studies: the scene's air, made to send to level ground
-/// at the scene's origin what the heat balance receives there, beam, diffuse and longwave.
+/// The light of an instant for pictures and studies: the scene's air, scaled so that level ground
+/// at the scene's origin receives the same as in the heat balance, beam, diffuse and longwave.
 ///
-/// - sky: of the weather that the heat balance has (Prepared::weather)
+/// - sky: of the weather of the heat balance (Prepared::weather)
 ///
 /// A table of paths and a vacuum cannot be scaled: their sums are the heat balance's. Those of a
 /// vacuum agree where nothing was measured (thermal/weather/clear_sky.hpp), but for the sun's light
@@ -22,14 +22,14 @@ namespace diurna {
 LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeries& sky,
                            Instant instant);
 
-/// The sky of a scene's weather, and the light of the instants that were requested: each is found
-/// once, whoever asks. Safe to share between threads.
+/// The sky of a scene's weather, and the light of the instants that were requested: each is
+/// computed once. Safe to share between threads.
 class InstantLights {
  public:
     InstantLights(const Scene& scene, const World& world, const Weather& weather);
 
     const SkySeries& sky() const { return sky_; }
-    /// - world: whose surfaces may have moved
+    /// - world: its surfaces may have moved
     LightOfInstant at(const Scene& scene, const World& world, Instant instant) const;
 
  private:

@@ -9,19 +9,19 @@
 
 namespace diurna {
 
-/// Whether a surface is plain layers, which a target's network can take over: no leaves, snow,
-/// water that freezes, schedules.
+/// Whether a surface has plain layers, which a target's network can use: no leaves, snow, freezing
+/// water, schedules.
 bool plain_layers(const ThermalSurface& surface);
 
-/// A target's network with further facets of the scene as columns of their own, such as the ground
-/// that it lies on.
+/// A target's network with further facets of the scene as separate columns, such as the ground
+/// below it.
 class JoinedColumns {
  public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     JoinedColumns(const FacetSet& facets, const MaterialLibrary& materials, NetworkObject& object);
 
     bool has(std::uint32_t facet) const { return place_.count(facet) > 0; }
-    /// The network's facet of a scene's; one of plain layers joins it.
+    /// The network's facet for a scene's facet; one of plain layers is added.
     std::uint32_t place_of(std::uint32_t facet);
 
  private:

@@ -14,21 +14,21 @@ namespace diurna {
 /// A shape on the ground, in (column, row) of the raster.
 struct GroundShape {
     Footprint footprint;
-    std::string material;  // "": by the rules (the hole of another)
+    std::string material;  // "": by the rules (a hole of another shape)
 };
-/// All shapes that are ground and lie on the raster, in the order of their files; later ones on
+/// All shapes that are ground and on the raster, in the order of their files; later ones on
 /// top.
 std::vector<GroundShape> ground_shapes(const std::vector<ShapesInput>& inputs, const Dem& dem,
                                        const Site& site);
 
-/// A building of a file that stands wholly on the raster, with ground at all corners.
+/// A building of a file that is entirely on the raster, with ground at all corners.
 struct ShapeBuilding {
     PrismSpec prism;  // without materials
     std::size_t input;
 };
 struct ShapeBuildings {
     std::vector<ShapeBuilding> building;
-    std::vector<std::string> notes;  // what was skipped, a line to a file
+    std::vector<std::string> notes;  // what was skipped, a line per file
 };
 ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
                                const Site& site, double tolerance);

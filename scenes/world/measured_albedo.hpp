@@ -9,10 +9,10 @@
 
 namespace diurna {
 
-/// Whose albedo the reflected light of a weather file is.
+/// The material to which the reflected light of a weather file applies.
 struct MeasuredAlbedo {
-    std::vector<double> share{};  // (material) SolveInput::measured_share; empty: nobody's
-    std::string note{};           // why it is nobody's, though it was measured or asked for
+    std::vector<double> share{};  // (material) SolveInput::measured_share; empty: none
+    std::string note{};           // why it is none, though measured or requested
 };
 
 /// The material of `[weather] measured_over`, or the scene's only one. Levels of a texture on it

@@ -8,37 +8,38 @@
 #include "terrain/objects/object_mesh.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 
-/// Meshes of files on the ground of a scene.
+/// Meshes from files on the ground of a scene.
 namespace diurna {
 
-/// Of objects that are targets each part has a material of its own, "NAME of OBJECT: PART", by
-/// which its facets are known.
+/// Each part of a target has its own material, "NAME of OBJECT: PART", which identifies its
+/// facets.
 std::string part_material_name(const ObjectInput& object, std::size_t part);
 
-/// Its triangles, as its placing says (scenes/world/stance.hpp). Of one in flight the
-/// materials are copies that know its speed and length, added to the library; so are those of the
-/// parts of a target.
+/// Its triangles, in its placing (scenes/world/stance.hpp). For one in flight the materials
+/// are copies with its speed and length, added to the library; for a target, copies for its
+/// parts.
 ObjectMesh object_mesh(const ObjectInput& object, MaterialLibrary& materials);
 
 /// From its lowest to its highest point [m].
 double object_height(const ObjectInput& object);
 
-/// The second largest of its three sizes [m]: about the breadth of its shadow.
+/// The second largest of its three sizes [m]: about the width of its shadow.
 double object_breadth(const ObjectInput& object);
 
-/// How far a sun 27 degrees high casts its shadow from its middle [m].
+/// Length of its shadow from its middle at a sun elevation of 27 degrees [m].
 double shadow_reach(const ObjectInput& object);
 
-/// Ground around an object that shall be fine enough for its shadow: a square as far as a sun 27
-/// degrees high casts it, about 24 triangles' edges across, or of edges as the object says.
+/// Refined ground around an object for its shadow: a square as large as the shadow at a sun
+/// elevation of 27 degrees, about 24 triangle edges across, or with the object's edge length.
 struct GroundPatch {
     std::vector<Eigen::Vector2d> ring;  // east, north [m]
     double largest_edge;                // [m]
 };
 GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place);
 
-/// Ground round walls: rings at twice the distance each, as far as a sun 27 degrees high casts
-/// their shadow, divided to half their distance; the first, and the walls' own plan, to `nearest`.
+/// Ground around walls: rings, each at twice the distance of the one before, as far as the shadow
+/// at a sun elevation of 27 degrees, divided to half their distance; the first, and the walls' own
+/// plan, to `nearest`.
 std::vector<GroundPatch> rings_round(const std::vector<Eigen::Vector2d>& plan, double height,
                                      double nearest);
 

@@ -8,16 +8,15 @@
 
 namespace diurna {
 
-/// Boxes that reach into one another.
+/// Boxes that overlap.
 struct Overlaps {
     std::size_t pairs = 0;
-    double deepest =
-        0.0;  // [m] by which the worst would have to be moved apart, in plan or upright
+    double deepest = 0.0;  // [m] smallest displacement to separate the worst pair
     std::pair<std::size_t, std::size_t> worst{};
 };
 
-/// Of all pairs of boxes, those that overlap by more than `least` [m]: with separating axes, along
-/// the sides of both and upright.
+/// All pairs of boxes that overlap by more than `least` [m]: with separating axes, along the sides
+/// of both and vertical.
 Overlaps overlaps(std::span<const BodyBox> boxes, double least);
 
 }  // namespace diurna

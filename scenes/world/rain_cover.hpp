@@ -9,16 +9,16 @@
 
 namespace diurna {
 
-/// (facet of World::surfaces()) share of rain and snow, falling straight down, that nothing above
-/// keeps off it, 0 to 1: the mean of 16 points of the facet, one upright ray each. Roofs, panes and
-/// crowns let none through, a net what it does not cover; what runs off them falls nowhere.
+/// (facet of World::surfaces()) share of vertical rain and snow that reaches it, 0 to 1: the mean
+/// of 16 points of the facet, one vertical ray each. Roofs, panes and crowns block all, a net its
+/// covered share; runoff from them is lost.
 ///
-/// Empty, and no ray is cast, where no rain falls or nothing but ground is there.
+/// Empty, and without rays, if no rain falls or there is only ground.
 std::vector<float> open_above(const World& world, const MaterialLibrary& materials,
                               const Weather& weather);
 
-/// In one line on how many surfaces less falls than in the open, and that none does in flight;
-/// empty where it rains on all alike.
+/// One line on the number of surfaces with less rain than in the open, and on none in flight; empty
+/// if all receive the same.
 std::string rain_note(const World& world, const MaterialLibrary& materials, const Weather& weather,
                       const std::vector<float>& open);
 

@@ -19,7 +19,7 @@ class SunCourses {
 
     std::size_t days() const { return days_; }
     std::size_t hours() const { return hours_; }
-    /// Unit vector; nought where the sun is lower than 11.5 degrees.
+    /// Unit vector; zero if the sun is lower than 11.5 degrees.
     const Eigen::Vector3d& at(std::size_t day, std::size_t hour) const {
         return direction_[day * hours_ + hour];
     }
@@ -29,15 +29,15 @@ class SunCourses {
     std::vector<Eigen::Vector3d> direction_;  // (day, hour)
 };
 
-/// Ground that shall be fine for the shadows of one object, or of copies of it, where these stand
-/// off the ground: all that the sun's courses let their shadows fall on. As rows of tiles of one
-/// lattice whose borders fit point by point, outside the squares of fine ground below the objects.
+/// Refined ground for the shadows of one object, or of copies of it, at places above the ground:
+/// everywhere its shadows may fall. As rows of tiles of one lattice whose borders fit point by
+/// point, outside the squares of refined ground below the objects.
 ///
-/// The edges are a fifth of the object's breadth (the second largest of its three sizes), half of
-/// the penumbra's width, or those of the ground below it, whichever is the longest, longer where
-/// that would be more than some 10 000 triangles. A sun so far off that the penumbra is three
-/// breadths wide casts no shadow to speak of. None for what stands lower than one edge of the
-/// ground round it.
+/// The edges are a fifth of the object's width (the second largest of its three sizes), half
+/// of the penumbra's width, or those of the ground below it, whichever is the longest, longer
+/// if there would be more than some 10 000 triangles. Shadows with a penumbra of three object
+/// widths or more are ignored. None for objects lower than one edge of the ground around
+/// them.
 ///
 /// - base: middle of its plan and lowest point, of each place or copy: east, north, up [m]
 std::vector<GroundPatch> shadow_tracks(const ObjectInput& object,

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// Some of all facets, in that order, as a set of their own; none shares a corner with another.
+/// A selection of facets, in that order, as a separate set without common corners.
 FacetSet some_facets(const FacetSet& all, std::span<const std::uint32_t> facet);
 
 }  // namespace diurna

@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-/// How the heat balance of a scene goes through its span. Temperatures are kept at every picture
-/// and, of spans up to two days, at least each half hour, for the curves of a day and where they
-/// cross; for pictures of observers that go at the steps on either side of each, so that many
-/// pictures of a minute need no more than two instants, and one alone finds what it finds among
-/// others.
+/// Steps and stored instants of a scene's heat balance. Temperatures are stored at every
+/// picture and, for spans up to two days, at least each half hour, for daily curves and
+/// crossovers; for pictures of moving observers at the steps before and after each, so that
+/// many pictures within a minute need only two instants, and a single one gives the same result
+/// as in a series.
 SpanOptions scene_span(const Scene& scene);
 
 /// The instants between the steps of a scene's span, its ends included.

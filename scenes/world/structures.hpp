@@ -11,29 +11,29 @@
 #include "terrain/objects/box.hpp"
 #include "terrain/objects/object_mesh.hpp"
 
-/// What stands on the ground of a scene: each an object of its own among the world's facets.
+/// Buildings and objects on the ground of a scene: each a separate object in the world's facets.
 namespace diurna {
 
-/// The buildings of the scene file; each stands with its corners in the ground.
+/// The buildings of the scene file; the corners of each are in the ground.
 std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& site);
-/// What stands on the ground with walls: boxes, then buildings of files.
+/// Buildings with walls: boxes, then buildings from files.
 std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
                                      const std::vector<ShapeBuilding>& shapes);
 
 void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes);
-/// Meshes of files, but for copies (copied_objects.hpp); the materials of open ones are added to
+/// Meshes from files, except copies (copied_objects.hpp); the materials of open ones are added to
 /// the scene's.
 void append_objects(World& world, Scene& scene, const Dem& dem, Sheets& sheets);
-/// One of them, whose placing then says where it stands and how it is turned.
+/// One of them; its position and attitude are stored in its placing.
 ///
-/// - object: its place among the scene's
+/// - object: its index in the scene
 void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, std::size_t object);
-/// By which its facets are known.
+/// Identifies its facets.
 ObjectId object_id(const Scene& scene, std::size_t object);
-/// Throws InputError where all of an object is below the ground: nothing would be seen of it.
+/// Throws InputError if an object is entirely below the ground and so invisible.
 void refuse_buried(const ObjectInput& object, std::span<const Eigen::Vector3f> vertex,
                    const Dem& dem, const Site& site);
-/// Footprints of files, one object per file.
+/// Building footprints from files, one object per file.
 void append_shape_buildings(World& world, const Scene& scene, std::vector<ShapeBuilding> buildings);
 
 }  // namespace diurna

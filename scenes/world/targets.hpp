@@ -6,11 +6,11 @@
 #include "scenes/world/world.hpp"
 #include "thermal/solve/network_object.hpp"
 
-/// Objects as bodies of heat.
+/// Objects as thermal networks.
 namespace diurna {
 
-/// Which materials of an object's facets are which of its mesh's parts. Throws InputError where
-/// one is beyond a network: leaves, water that freezes or melts, snow.
+/// Materials of an object's facets by part of its mesh. Throws InputError for parts that a network
+/// does not support: leaves, water that freezes or melts, snow.
 ///
 /// object  index into the scene's
 TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectId id,

@@ -9,7 +9,7 @@
 namespace diurna {
 
 /// The profile of a scene's air, before the weather of an instant replaces its lowest part: the
-/// sounding, the AFGL profile that is named, or Weather::above.
+/// sounding, the named AFGL profile, or Weather::above.
 std::shared_ptr<const Profile> upper_air(const Scene& scene, const Weather& weather);
 
 /// Weather::above: the profile of the season by the mean temperature at the station's height over

@@ -7,16 +7,16 @@
 
 namespace diurna {
 
-/// The upright box around an object that faces as it does.
+/// The upright box around an object, along its heading.
 struct UprightBox {
     Eigen::Vector3d middle;        // east, north, up [m]
-    double length, width, height;  // along its heading, across, upright [m]
+    double length, width, height;  // [m] along its heading, across, vertical
 };
 
-/// An object's facets as a set of their own, in its place, copies too; without corners in common.
+/// An object's facets as a separate set, at its place, copies too; without common corners.
 FacetSet object_facets(const World& world, ObjectId id);
 
-/// None where the object has no facet.
+/// None if the object has no facet.
 std::optional<UprightBox> upright_box(const FacetSet& facets, ObjectId id, double heading_deg);
 
 }  // namespace diurna

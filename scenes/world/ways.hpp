@@ -10,13 +10,13 @@
 
 namespace diurna {
 
-/// Where and how a body on a way is at an instant.
+/// Pose of a body on a trajectory at an instant.
 struct PoseOnWay {
     Eigen::Vector3d place;        // east, north, up [m]
-    Eigen::Quaterniond attitude;  // turns its right, forward, up to east, north, up
+    Eigen::Quaterniond attitude;  // rotates its right, forward, up to east, north, up
 };
 
-/// How a body goes [m/s] and turns [rad/s].
+/// Velocity [m/s] and angular velocity [rad/s] of a body.
 struct Motion {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), turning = Eigen::Vector3d::Zero();
 };
@@ -27,23 +27,23 @@ class Way {
  public:
     Way(const TrajectoryInput& input, const Dem& dem, const World& world);
 
-    /// Throws InputError where its height is above ground that the raster does not have. A body
-    /// that has no attitude of its own faces the way from 5 ms before to 5 ms after; while it
-    /// rests, as it came, or before it has begun as it will go.
+    /// Throws InputError if its height is above ground that the raster does not have. A body
+    /// without its own attitude faces along its path from 5 ms before to 5 ms after; at rest, in
+    /// the direction of its last motion, or before the start of its first.
     PoseOnWay at(Instant when) const { return pose(seconds_between(start_, when)); }
 
-    /// Its attitude, level but for a log's own pitch and roll: of a thing on wheels.
+    /// Its attitude, level except for a log's own pitch and roll: for wheeled objects.
     PoseOnWay level(Instant when) const;
-    /// Of a log that gives it.
+    /// Whether the log gives attitudes.
     bool has_attitude() const { return !way_.attitude.empty(); }
-    /// [m]; none of heights above the sea or the ellipsoid.
+    /// [m]; nothing for heights above the sea or the ellipsoid.
     std::optional<double> height_over_ground(Instant when) const;
     std::vector<Rest> rests() const { return diurna::rests(way_); }
     Instant start() const { return start_; }
 
-    /// At an instant: from 5 ms before to 5 ms after, on the way.
+    /// At an instant: from 5 ms before to 5 ms after, on the trajectory.
     ///
-    /// - attitude_of: of the body whose turning is asked for, at a pose on the way and its instant
+    /// - attitude_of: attitude of the body, for a pose on the trajectory and its instant
     template <class AttitudeOf>
     Motion motion(Instant when, const AttitudeOf& attitude_of) const {
         const auto [from, to] = around(seconds_between(start_, when));
@@ -61,11 +61,11 @@ class Way {
     Around around(double seconds) const;
     Eigen::Vector3d place(double seconds) const;
     PoseOnWay pose(double seconds) const;
-    /// The way that a body goes or, while it rests, came [m]; not nought.
+    /// Direction of motion or, at rest, of the last motion [m]; not zero.
     Eigen::Vector3d going(double seconds) const;
 
     Trajectory way_;
-    bool in_frame_ = false;  // heights are up of the site
+    bool in_frame_ = false;  // heights are the site's up coordinate
     HeightOver heights_;
     Instant start_;
     std::string where_;

@@ -12,11 +12,11 @@
 
 namespace diurna {
 
-/// A raster whose posts become vertices of a mesh over the coarse one's (column, row): that itself,
-/// or a detail of it.
+/// A raster whose posts become vertices of a mesh over the coarse raster's (column, row): the
+/// coarse raster itself, or a detail of it.
 struct MeshLattice {
     const Dem* raster;
-    const DemDetail* detail;              // none: the coarse one
+    const DemDetail* detail;              // null: the coarse one
     Eigen::Vector2d spacing;              // [m]
     std::vector<std::uint8_t> is_vertex;  // (post)
 
@@ -31,7 +31,7 @@ struct MeshLattice {
     }
 };
 
-/// The coarse one, then those of its details, without vertices.
+/// The coarse raster's lattice, then those of its details, without vertices.
 inline std::vector<MeshLattice> mesh_lattices(const Dem& dem) {
     std::vector<MeshLattice> all{{&dem, nullptr, post_spacing(dem), {}}};
     for (const DemDetail& detail : dem.detail) {
@@ -41,12 +41,12 @@ inline std::vector<MeshLattice> mesh_lattices(const Dem& dem) {
     return all;
 }
 
-/// Which of the lattices a place lies on.
+/// Index of the lattice at a place.
 inline std::size_t lattice_at(const Dem& dem, const Eigen::Vector2d& place) {
     return dem.detail.empty() ? 0 : std::size_t(detail_at(dem, place) + 1);
 }
 
-/// That of a whole ring; the coarse one where it lies on several.
+/// Index for a whole ring; the coarse one if the ring is on several.
 inline std::size_t lattice_under(const Dem& dem, const Ring& ring) {
     const std::size_t first = lattice_at(dem, ring.front());
     for (const Eigen::Vector2d& p : ring) {
@@ -55,13 +55,13 @@ inline std::size_t lattice_under(const Dem& dem, const Ring& ring) {
     return first;
 }
 
-/// Whether the vertices at a place are posts of that lattice: no other lies on it, nor an outline
-/// beside.
+/// Whether the vertices at a place are posts of that lattice: no other lattice covers it, and no
+/// outline is near.
 inline bool takes_vertex(const Dem& dem, const Eigen::Vector2d& place, std::size_t lattice) {
     return lattice_at(dem, place) == lattice && !beside_outline(dem, place);
 }
 
-/// A place brought from a detail, put on the coarse raster's edge where it misses it by rounding.
+/// A place converted from a detail, moved onto the coarse raster's edge if rounding put it off.
 inline Eigen::Vector2d on_edge(const Dem& dem, Eigen::Vector2d place) {
     constexpr double rounding = 1e-6;  // [posts]
     const Eigen::Vector2d last(dem.columns - 1.0, dem.rows - 1.0);

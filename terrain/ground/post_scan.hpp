@@ -11,13 +11,13 @@
 
 namespace diurna {
 
-/// The post of a raster furthest from a triangle, measured vertically.
+/// The post of a raster farthest from a triangle, measured vertically.
 struct WorstPost {
     double error = -1.0;  // [m]; negative where the triangle covers no post
     int column = 0, row = 0;
 };
 
-/// The scan with or without weights; the loops over a row are vector code.
+/// The scan with or without weights; the loops over a row are vectorised.
 template <bool weighted>
 WorstPost scan_posts(const Dem& dem, std::array<Eigen::Vector3d, 3> corner, const float* weight) {
     std::sort(corner.begin(), corner.end(),
@@ -25,7 +25,7 @@ WorstPost scan_posts(const Dem& dem, std::array<Eigen::Vector3d, 3> corner, cons
     const auto& [top, middle, bottom] = corner;
     const Eigen::Vector3d normal = (middle - top).cross(bottom - top);
     WorstPost worst;
-    if (std::abs(normal.z()) < 1e-9) return worst;  // nothing lies inside but on its border
+    if (std::abs(normal.z()) < 1e-9) return worst;  // no post inside, only on its border
     const double per_column = -normal.x() / normal.z(), per_row = -normal.y() / normal.z();
     const auto slope = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         return to.y() > from.y() ? (to.x() - from.x()) / (to.y() - from.y()) : 0.0;
@@ -75,8 +75,8 @@ WorstPost scan_posts(const Dem& dem, std::array<Eigen::Vector3d, 3> corner, cons
 }
 
 /// Scans the posts under a triangle of (column, row, height) corners, border included. Posts
-/// without height must not lie under it. Where several are equally far, the first row by row.
-/// `weight` (row, column), if not empty, multiplies the error of each post.
+/// without height must not be under it. If several are equally far, the first in row order is
+/// returned. `weight` (row, column), if not empty, multiplies the error of each post.
 inline WorstPost worst_post(const Dem& dem, const std::array<Eigen::Vector3d, 3>& corner,
                             std::span<const float> weight) {
     return weight.empty() ? scan_posts<false>(dem, corner, nullptr)

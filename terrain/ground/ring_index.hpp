@@ -9,16 +9,16 @@
 
 namespace diurna {
 
-/// Which of many rings holds a point, in about the logarithm of their number.
+/// Finds the ring that contains a point among many, in time about logarithmic in their number.
 class RingIndex {
  public:
-    /// Rings of no corners hold nothing.
+    /// Rings without corners contain nothing.
     explicit RingIndex(std::vector<Ring> rings);
     ~RingIndex();
     RingIndex(const RingIndex&) = delete;
     RingIndex& operator=(const RingIndex&) = delete;
 
-    /// The last of the rings that contains() the point; -1: none does. Safe from many threads.
+    /// The last of the rings that contains() the point; −1: no ring. Thread-safe.
     std::int32_t last_around(const Eigen::Vector2d& p) const;
 
  private:

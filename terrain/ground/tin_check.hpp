@@ -8,12 +8,12 @@
 
 namespace diurna {
 
-/// Checks a network by rasterising each triangle anew, independent of how it was made: over the
-/// posts of the raster, and where a detail of it lies, over that one's.
+/// Checks a network by rasterising each triangle, independent of how it was made: over the posts of
+/// the raster or, on a detail, over the detail's posts.
 struct TinCheck {
     double worst_error = 0.0;         // [m] vertical
     double rms_error = 0.0;           // [m]
-    double worst_on_detail = 0.0;     // [m] vertical; what of it lies on details
+    double worst_on_detail = 0.0;     // [m] vertical; on details only
     std::size_t uncovered_posts = 0;  // valid posts under no triangle
     std::size_t flipped_triangles = 0;
 };

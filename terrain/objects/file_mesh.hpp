@@ -19,7 +19,7 @@ struct MeshFile {
     std::vector<std::uint16_t> part_of{};  // (triangle)
     std::vector<Part> part{};
     std::vector<std::string> notes{};     // what was repaired or skipped
-    std::vector<std::string> warnings{};  // what may be wrong in the file
+    std::vector<std::string> warnings{};  // possible errors in the file
 };
 
 }  // namespace diurna

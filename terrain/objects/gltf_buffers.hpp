@@ -11,16 +11,16 @@
 
 namespace diurna {
 
-/// The bytes that a glTF names: in its own binary piece, in base64, or in files within the
-/// confines. Each is read when a view of it is wanted first.
+/// The bytes that a glTF refers to: in its own binary chunk, in base64, or in files within the
+/// confines. Each buffer is read when a view of it is first needed.
 class GltfBuffers {
  public:
-    /// Throws InputError where a view ends beyond its buffer. The arguments are to outlive it.
+    /// Throws InputError if a view ends beyond its buffer. The arguments must outlive it.
     ///
-    /// - own_piece: of a GLB; empty: none
+    /// - own_piece: binary chunk of a GLB; empty: none
     GltfBuffers(const Gltf& gltf, std::string_view own_piece, const std::filesystem::path& folder,
                 const Confines& confines);
-    /// The bytes of a bufferView. Throws InputError where the buffer cannot be read, or has fewer
+    /// The bytes of a bufferView. Throws InputError if the buffer cannot be read, or has fewer
     /// bytes than it claims.
     std::string_view view(std::size_t number);
 

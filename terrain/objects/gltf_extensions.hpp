@@ -6,16 +6,16 @@
 
 namespace diurna {
 
-/// Throws InputError for an extension that the file requires and that is not followed, by its name.
-/// Followed are KHR_mesh_quantization and EXT_mesh_gpu_instancing; those of materials, textures,
-/// lights and metadata change no shape.
+/// Throws InputError, with its name, for an extension that the file requires and that is not
+/// supported. Supported are KHR_mesh_quantization and EXT_mesh_gpu_instancing; those of materials,
+/// textures, lights and metadata do not change shapes.
 void check_gltf_extensions(const Gltf& gltf);
 
-/// Whether the file says that it uses an extension.
+/// Whether the file lists an extension as used.
 bool uses_extension(const Gltf& gltf, const char* name);
 
-/// How the bytes of a buffer, a view of it or a primitive are packed, by the extension's name;
-/// "": not.
+/// Name of the extension that compresses a buffer, a view of it or a primitive; "": not
+/// compressed.
 std::string packing_of(const nlohmann::json& packed);
 
 }  // namespace diurna

@@ -12,14 +12,14 @@
 
 namespace diurna {
 
-/// What a glTF says of itself.
+/// The JSON part of a glTF file.
 class Gltf {
  public:
-    /// Throws InputError for what is no JSON of a glTF 2, or nested too deep to be read. `name` is
-    /// to outlive it.
+    /// Throws InputError if it is not JSON of a glTF 2, or nested too deep to be read. `name` must
+    /// outlive it.
     Gltf(const std::string& name, std::string_view json);
 
-    /// An array of objects; empty where it is not there.
+    /// An array of objects; empty if absent.
     const nlohmann::json& list(const char* key) const {
         const nlohmann::json& found = member(all_, key);
         const bool fits =
@@ -39,7 +39,7 @@ class Gltf {
     InputError fault(const std::string& where, const std::string& what) const {
         return {name_ + ": " + where, what};
     }
-    /// A whole number below `count`. Throws where it is none.
+    /// An integer below `count`. Throws if it is not one.
     std::size_t index(const nlohmann::json& value, std::size_t count,
                       const std::string& where) const {
         if (value.is_number_unsigned() && value.get<std::size_t>() < count) {
@@ -48,7 +48,7 @@ class Gltf {
         throw fault(where,
                     fmt::format("found {}, expected a number below {}", shown(value), count));
     }
-    /// A whole number of at most 2⁴⁸, so that sums and products of it stay exact.
+    /// An integer of at most 2⁴⁸, so that sums and products of it stay exact.
     double size(const nlohmann::json& value, double fallback, const std::string& where) const {
         if (value.is_null()) return fallback;
         if (value.is_number_unsigned() && value.get<double>() < 0x1p48) return value.get<double>();

@@ -7,14 +7,14 @@
 
 namespace diurna {
 
-/// A ring and its holes as one ring, which goes to each hole and back along a bridge: what
-/// cut_polygon() takes. Bridges are the shortest that meet no side of the ring or of a hole.
+/// A ring and its holes as one ring, which visits each hole along a bridge and returns: input for
+/// cut_polygon(). Bridges are the shortest that cross no side of the ring or of a hole.
 ///
 /// ring     counterclockwise
-/// holes    clockwise, inside the ring, beside each other
-/// returns  none where no bridge leads to a hole: it lies outside
+/// holes    clockwise, inside the ring, not overlapping
+/// returns  nullopt if no bridge leads to a hole: it is outside
 ///
-/// Takes the square of the number of corners, times the holes.
+/// Time grows with the square of the number of corners, times the holes.
 std::optional<Ring> joined_ring(const Ring& ring, std::span<const Ring> holes);
 
 }  // namespace diurna

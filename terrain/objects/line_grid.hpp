@@ -8,11 +8,11 @@
 
 namespace diurna {
 
-/// Triangles in the columns of a square grid, for counting what a line in one direction crosses.
+/// Triangles in the columns of a square grid, to count the crossings of lines in one direction.
 class LineGrid {
  public:
-    /// - which: those of `triangle` that count
-    /// - direction: of the line, unit; a general one, so that no line runs along an edge
+    /// - which: the triangles that count
+    /// - direction: of the line, unit; not along an axis, so that no line runs along an edge
     LineGrid(std::span<const Eigen::Vector3d> vertex,
              std::span<const std::array<std::uint32_t, 3>> triangle,
              std::span<const std::uint32_t> which, const Eigen::Vector3d& direction);
@@ -20,7 +20,7 @@ class LineGrid {
     struct Crossed {
         int ahead = 0, behind = 0;
     };
-    /// Triangles that the line through a point crosses, but for `skipped`.
+    /// Triangles that the line through a point crosses, except `skipped`.
     Crossed crossed(const Eigen::Vector3d& point, std::uint32_t skipped = std::uint32_t(-1)) const;
 
  private:

@@ -14,26 +14,26 @@
 
 namespace diurna {
 
-/// Puts a mesh together as its file is read: equal places become one vertex, polygons triangles.
-/// Places are distinguished as doubles; vertices that no triangle uses are none.
+/// Builds a mesh as its file is read: equal places become one vertex, polygons triangles. Places
+/// are compared as doubles; vertices that no triangle uses are removed.
 class MeshBuilder {
  public:
     /// - name: of the file, in messages
     explicit MeshBuilder(std::string name) : name_(std::move(name)) {}
 
-    /// The part of this name and material, a new one where there is none.
+    /// The part with this name and material, a new one if it does not exist.
     std::uint16_t part(const std::string& node, const std::string& material);
-    /// Throws InputError where it is not finite or beyond most_coordinate.
+    /// Throws InputError if it is not finite or beyond most_coordinate.
     std::uint32_t vertex(const Eigen::Vector3d& at);
     const Eigen::Vector3d& at(std::uint32_t vertex) const { return mesh_.vertex[vertex]; }
-    /// Throws InputError where there are too many.
+    /// Throws InputError if there are too many.
     void triangle(const std::array<std::uint32_t, 3>& corner, std::uint16_t part);
-    /// - where: of the polygon, for a note if it crosses itself
+    /// - where: place of the polygon, for a note if it crosses itself
     void polygon(std::span<const std::uint32_t> corner, std::uint16_t part,
                  const std::string& where);
     void note(const std::string& line);
     void warn(const std::string& line) { mesh_.warnings.push_back(line); }
-    /// Numbers of the file are of 32 bits, of which the largest has this absolute value.
+    /// Declares that the file's numbers have 32 bits, with this largest absolute value.
     void stored_as_float(double largest);
 
     /// Welds the vertices. Throws InputError if there is no triangle.
@@ -49,7 +49,7 @@ class MeshBuilder {
     std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> number_;
     std::size_t crossing_ = 0;  // polygons
     std::string first_crossing_;
-    double step_ = 0.0;  // between neighbouring numbers of the file
+    double step_ = 0.0;  // between neighbouring floats of the file
 };
 
 }  // namespace diurna

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// What OpenMesh finds in a mesh.
+/// Result of OpenMesh's check of a mesh.
 struct MeshCheck {
     std::size_t boundary_edges = 0;
     std::size_t rejected_triangles = 0;  // complex or degenerate: not addable to a manifold

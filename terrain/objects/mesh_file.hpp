@@ -9,14 +9,14 @@
 namespace diurna {
 
 /// Reads OBJ, PLY, STL and glTF 2 (.obj .ply .stl .gltf .glb), coordinates as doubles. Polygons are
-/// cut into triangles (cut_polygon.hpp), nodes placed as the file says, triangles of nodes that
-/// mirror them turned, vertices welded (weld_vertices.hpp).
+/// cut into triangles (cut_polygon.hpp), nodes placed as in the file, triangles of mirroring nodes
+/// reversed, vertices welded (weld_vertices.hpp).
 ///
-/// Throws InputError if the file is of another kind, cannot be read, is not what it says, holds no
-/// triangle, a vertex that is not finite, more than 5 million triangles, or names a buffer beyond
-/// the confines. Libraries of materials that an OBJ names are not opened.
+/// Throws InputError if the file has another format, cannot be read, is inconsistent, holds no
+/// triangle, a vertex that is not finite, more than 5 million triangles, or names a buffer outside
+/// the confines. Material libraries that an OBJ names are not opened.
 ///
-/// - confines: of the buffers that it names; without, its folder's
+/// - confines: of the buffers that it names; default: its folder
 MeshFile read_mesh_file(const std::filesystem::path& file,
                         const std::optional<Confines>& confines = {});
 

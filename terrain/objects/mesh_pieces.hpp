@@ -13,11 +13,11 @@ namespace diurna {
 struct EdgeSide {
     std::uint32_t low, high;  // its vertices, low < high
     std::uint32_t triangle;
-    bool turned;  // the triangle goes along it from high to low
+    bool turned;  // the triangle traverses it from high to low
 };
 
-/// The sides of all triangles, by edge, then by triangle; triangles of equal vertices have none on
-/// that edge.
+/// The sides of all triangles, by edge, then by triangle; an edge between equal vertices has
+/// none.
 std::vector<EdgeSide> edge_sides(std::span<const std::array<std::uint32_t, 3>> triangle);
 
 /// Calls body(sides of an edge) for each edge.
@@ -32,32 +32,32 @@ void each_edge(std::span<const EdgeSide> sides, const Body& body) {
     }
 }
 
-/// Two triangles with a common edge that is nobody else's, or parts of edges on one line.
+/// Two triangles with a common edge of only these two, or parts of edges on one line.
 struct EdgeJoint {
     std::uint32_t a, b;
-    bool agree;  // they face the same way: go along the edge in opposite directions
+    bool agree;  // same orientation: they traverse the edge in opposite directions
 };
 
-/// What hangs together by edges.
+/// Triangles connected by edges.
 struct MeshPieces {
     std::vector<std::uint32_t> of;     // (triangle) its piece
-    std::vector<std::uint8_t> closed;  // (piece) 1: it encloses something
-    std::vector<EdgeJoint> joints;     // over which triangles can be compared
-    std::vector<EdgeSide> rims;        // edges of one triangle along which no others run
-    std::vector<EdgeSide> rows;        // edges of one triangle along which others run
+    std::vector<std::uint8_t> closed;  // (piece) 1: it encloses a volume
+    std::vector<EdgeJoint> joints;     // pairs of triangles whose orientation can be compared
+    std::vector<EdgeSide> rims;        // edges of one triangle, without others along them
+    std::vector<EdgeSide> rows;        // edges of one triangle, with others along them
     std::size_t size() const { return closed.size(); }
 };
 
-/// The pieces of a mesh. A piece is closed if each of its edges has two triangles or more, or
-/// others of its open edges run along it end to end (a row of small triangles beside one long
-/// edge, to 1e-4 of its length). With more than 4000 open edges rows are not looked for.
+/// The pieces of a mesh. A piece is closed if each of its edges has two triangles or more, or other
+/// open edges of it run along it end to end (a row of small triangles beside one long edge, to 1e-4
+/// of its length). With more than 4000 open edges such rows are not searched.
 MeshPieces mesh_pieces(std::span<const Eigen::Vector3d> vertex,
                        std::span<const std::array<std::uint32_t, 3>> triangle);
 
-/// Triangles that can be compared over joints, and which of them face otherwise.
+/// Triangles that can be compared over joints, and which of them have the other orientation.
 struct MeshPatches {
     std::vector<std::uint32_t> of;     // (triangle) its patch
-    std::vector<std::uint8_t> turned;  // (triangle) 1: it faces otherwise than its patch's first
+    std::vector<std::uint8_t> turned;  // (triangle) 1: opposite to its patch's first
     std::vector<std::uint8_t> sound;   // (patch) 0: it has only one side (a Möbius strip)
 };
 MeshPatches mesh_patches(std::size_t triangles, std::span<const EdgeJoint> joints);

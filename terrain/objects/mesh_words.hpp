@@ -7,15 +7,15 @@
 
 namespace diurna {
 
-/// Walks through the lines of a mesh's text and the words of each.
+/// Reads a mesh's text line by line and word by word.
 class MeshLines {
  public:
     MeshLines(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
-    /// Goes on to the next line; false at the end. A backslash at the end of a line of numbers
-    /// joins the next (OBJ); comments and names may end with one.
+    /// Moves to the next line; false at the end. A backslash at the end of a line of numbers joins
+    /// the next line (OBJ); comments and names may end with one.
     bool next();
-    /// Leaves out what stands behind the first '#': a comment behind the data of a line.
+    /// Removes the text after the first '#': a comment after the data of a line.
     void drop_comment();
     const std::vector<std::string_view>& words() const { return words_; }
     /// "mesh.obj:41"
@@ -23,9 +23,9 @@ class MeshLines {
     std::size_t line() const { return line_; }
     std::string_view rest() const { return rest_; }
 
-    /// The number that a word is; throws InputError if it is none or no coordinate can be it.
+    /// The number in a word; throws InputError if it is no number or too large for a coordinate.
     double coordinate(std::string_view word) const;
-    /// The whole number that a word is; throws InputError if it is none.
+    /// The integer in a word; throws InputError if it is none.
     long long whole(std::string_view word) const;
 
  private:
@@ -35,7 +35,7 @@ class MeshLines {
     std::size_t line_ = 0;
 };
 
-/// Whether a word is a keyword, in small letters, whatever letters it is written in.
+/// Whether a word is a keyword (given in small letters), ignoring case.
 bool is_keyword(std::string_view word, std::string_view keyword);
 
 }  // namespace diurna

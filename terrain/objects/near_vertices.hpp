@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-/// Which vertices take the place of others that lie close: for each the nearest of those before it
-/// that keep their place, within `tolerance` and a quarter of the shortest edge at either.
+/// Which vertices replace close ones: for each vertex the nearest of the earlier vertices that are
+/// not replaced, within `tolerance` and a quarter of the shortest edge at either.
 ///
-/// - shortest: (vertex) the shortest edge at it; negative: it keeps its place and nobody takes it
-/// returns  (vertex) the vertex in whose place it goes; itself if in none
+/// - shortest: (vertex) the shortest edge at it; negative: it is not replaced and replaces none
+/// returns  (vertex) the vertex that replaces it; itself if not replaced
 std::vector<std::uint32_t> near_vertices(std::span<const Eigen::Vector3d> vertex,
                                          std::span<const double> shortest, double tolerance);
 

@@ -7,8 +7,8 @@
 
 namespace diurna {
 
-/// Which triangles belong to a piece that encloses nothing: a sheet, an open box, a tube. Pieces
-/// are those of mesh_pieces(), vertices at the same place counting as one.
+/// Which triangles belong to a piece that encloses no volume: a sheet, an open box, a tube. Pieces
+/// are those of mesh_pieces(), with vertices at the same place merged.
 ///
 /// returns  (triangle) 1 in open pieces
 std::vector<std::uint8_t> open_pieces(const ObjectMesh& mesh);

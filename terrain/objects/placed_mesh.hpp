@@ -8,21 +8,21 @@
 
 namespace diurna {
 
-/// Which way is up in a file; its front looks along +z where y is up (glTF), along +y where z is.
+/// The up axis of a file; its front faces +z if y is up (glTF), +y if z is up.
 enum class UpAxis { y, z };
 
-/// How a mesh stands in the scene.
+/// Position and orientation of a mesh in the scene.
 struct Placing {
     Eigen::Vector3d base = Eigen::Vector3d::Zero();  // its middle in plan and its lowest point [m]
-    double heading_deg = 0.0;                        // the way its front looks, from north
+    double heading_deg = 0.0;                        // direction of its front, from north
     UpAxis up = UpAxis::y;
     double metres = 1.0;                     // per unit of the file
     double largest_edge = 0.5;               // longer edges are cut [m]
-    double pitch_deg = 0.0, roll_deg = 0.0;  // its front above, its right side below the level
+    double pitch_deg = 0.0, roll_deg = 0.0;  // front above, right side below level
 };
 
-/// From a file's axes, origin and unit to those of an object: right, front, up [m], from its middle
-/// in plan and its lowest point.
+/// Converts a file's axes, origin and unit to those of an object: right, front, up [m], from its
+/// middle in plan and its lowest point.
 class MeshFrame {
  public:
     MeshFrame(const MeshFile& mesh, const Placing& placing);
@@ -35,7 +35,7 @@ class MeshFrame {
     Eigen::Vector3d foot_;
 };
 
-/// The mesh turned, scaled and put down, its long edges halved until none is longer than
+/// The mesh rotated, scaled and placed; long edges are halved until none is longer than
 /// `largest_edge`: neighbours share the new vertices, so that no crack opens.
 ///
 /// material  (part of the file)

@@ -12,12 +12,12 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 struct PlyProperty {
     std::string name;
-    PlyType type{};  // of a list its elements'
+    PlyType type{};  // of a list: of its elements
     bool list = false;
     PlyType count{};       // of a list
     int axis = -1;         // 0 to 2: x, y or z of a vertex
     bool corners = false;  // the corners of a face
-    bool strip = false;    // those of strips of triangles, −1 between them
+    bool strip = false;    // corners of triangle strips, −1 between them
 };
 
 struct PlyElement {
@@ -26,20 +26,20 @@ struct PlyElement {
     std::vector<PlyProperty> property;
 };
 
-/// What the head of a PLY file says of what follows it.
+/// The header of a PLY file.
 struct PlyHead {
     std::vector<PlyElement> element;
-    bool text = false, big = false;  // big: the greatest byte first
+    bool text = false, big = false;  // big: big-endian
     long long vertices = 0;
 };
 
-/// Reads on to the line end_header. Throws InputError for what is no head of PLY, for vertices
-/// without x, y and z, for faces without one list of corners (tristrips count as faces).
+/// Reads to the line end_header. Throws InputError for an invalid header, for vertices without x, y
+/// and z, for faces without one list of corners (tristrips count as faces).
 ///
-/// - bytes: of the whole file, which hold fewer rows than that
+/// - bytes: size of the whole file, an upper limit for the number of rows
 PlyHead read_ply_head(const std::string& name, MeshLines& lines, std::size_t bytes);
 
-/// Bytes of a number.
+/// Size of a number [bytes].
 std::size_t bytes_of(PlyType type);
 
 }  // namespace diurna

@@ -10,10 +10,10 @@
 
 namespace diurna {
 
-/// Of each piece: what it encloses, as its patches face, and its area.
+/// Enclosed volume, by the orientation of its patches, and area of a piece.
 struct PieceBulk {
     double volume = 0.0, area = 0.0;
-    /// A solid that two sheets within `apart` of each other are not.
+    /// Distinguishes a solid from two sheets within `apart` of each other.
     bool thicker_than(double apart) const { return volume > apart * area; }
 };
 
@@ -22,11 +22,11 @@ std::vector<PieceBulk> piece_bulks(std::span<const Eigen::Vector3d> vertex,
                                    std::span<const std::array<std::uint32_t, 3>> triangle,
                                    const MeshPieces& pieces);
 
-/// Pieces with holes so small that they are probably not meant: one or two triangles that are
-/// missing (a tenth of the area at most), or a fiftieth of the area.
+/// Pieces with holes so small that they are probably errors: one or two missing triangles (a tenth
+/// of the area at most), or a fiftieth of the area.
 struct SmallHoles {
     std::size_t pieces = 0;
-    double share = 0.0;  // the largest of a piece's area
+    double share = 0.0;  // largest share of a piece's area
 };
 SmallHoles small_holes(std::span<const Eigen::Vector3d> vertex,
                        std::span<const std::array<std::uint32_t, 3>> triangle,

@@ -13,11 +13,11 @@ using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
 /// seconds may have decimals. Throws InputError(where, ...) for anything else.
 Instant parse_instant(const std::string& text, const std::string& where = "time");
 
-/// [s] that the clock of such a text is ahead of UTC, by its end: Z or ±hh:mm.
+/// Offset of such a text from UTC [s], positive ahead of it, from its end: Z or ±hh:mm.
 double utc_offset_of(const std::string& text);
 
-/// "2003-10-17T19:30:30Z"; with `compact` "20031017T193030Z", fit for file names. Milliseconds are
-/// shown only where they are not zero.
+/// "2003-10-17T19:30:30Z"; with `compact` "20031017T193030Z", suitable for file names. Milliseconds
+/// are shown only if not zero.
 std::string format_instant(Instant instant, bool compact = false);
 
 /// Seconds from `from` to `to`.

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// "2026-07-15T05:00:00-04:00": an instant on a clock that is so many seconds ahead of UTC.
+/// "2026-07-15T05:00:00-04:00": an instant on a clock with this offset from UTC [s].
 std::string format_local(Instant instant, double utc_offset);
 
 /// Hours of apparent solar time, 0 to 24: 12 is when the sun crosses the site's meridian in the

@@ -10,8 +10,8 @@ struct Site {
     double latitude_deg = 0.0;   // −90 to 90
     double longitude_deg = 0.0;  // −180 to 180
     double height = 0.0;         // above the ellipsoid [m]
-    /// Coefficient k of terrestrial refraction: the curvature of a level line of sight over that of
-    /// the Earth; 0.13 on an ordinary day (Gauss), 0 without air.
+    /// Coefficient k of terrestrial refraction: the curvature of a level line of sight divided by
+    /// that of the Earth; 0.13 on an ordinary day (Gauss), 0 without air.
     double refraction = 0.0;
 };
 
@@ -22,10 +22,10 @@ struct Geodetic {
 /// Geodetic places to east, north, up [m] in the frame of the site, curvature included; and back.
 /// Exact to 1 µm within 100 km (GeographicLib::LocalCartesian).
 ///
-/// With refraction, `up` has k (east² + north²) / 2R added, R = 6371 km. That takes every line of
-/// sight that the air bends by k/R to a straight line, between any two places: horizons, shadows
-/// and pictures follow without knowing of it. The verticals of far places lean away by k of what
-/// the Earth's curvature makes them lean towards, 0.06° at 50 km.
+/// With refraction, `up` has k (east² + north²) / 2R added, R = 6371 km. This turns every line of
+/// sight that the air bends by k/R into a straight line, between any two places: horizons, shadows
+/// and pictures need no further correction. The verticals of far places tilt away by k times the
+/// tilt due to the Earth's curvature, 0.06° at 50 km.
 void to_local(const Site& site, std::span<const Geodetic> places, std::span<Eigen::Vector3d> local);
 Eigen::Vector3d to_local(const Site& site, const Geodetic& place);
 Geodetic to_geodetic(const Site& site, const Eigen::Vector3d& local);

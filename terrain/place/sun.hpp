@@ -8,10 +8,10 @@
 
 namespace diurna {
 
-/// Topocentric place of the sun's centre.
+/// Topocentric position of the sun's centre.
 struct SunPosition {
     double azimuth_deg;    // clockwise from true north, 0 to 360
-    double elevation_deg;  // geometric, or refracted where the air was given
+    double elevation_deg;  // geometric, or refracted if the air was given
     double distance_au;
 };
 
@@ -19,16 +19,16 @@ struct SunPosition {
 /// (ERFA: Earth of Epv00, IAU 2000B precession-nutation, aberration, topocentric parallax).
 SunPosition sun_position(const Site& site, Instant instant);
 
-/// The same with refraction for air of the given pressure [hPa] and temperature [°C]
-/// (Sæmundsson-Meeus as in SPA; nothing is added below −0.83°).
+/// The same with refraction by air of the given pressure [hPa] and temperature [°C]
+/// (Sæmundsson-Meeus as in SPA; none below −0.83°).
 SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,
                          double temperature_C);
 
-/// Adds that refraction to a sun without it: for positions interpolated between a few computed
+/// Adds that refraction to a position without it: for positions interpolated between a few computed
 /// ones.
 SunPosition refracted(SunPosition sun, double pressure_hPa, double temperature_C);
 
-/// The sun at a place given by east, north, up [au] as seen from the site.
+/// The sun's position from its vector east, north, up [au] as seen from the site.
 SunPosition sun_at(const Eigen::Vector3d& place);
 
 /// Unit vector towards the sun in the site's east-north-up frame.

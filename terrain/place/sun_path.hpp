@@ -9,9 +9,9 @@
 
 namespace diurna {
 
-/// The sun's way over one site for series of many instants: a cubic through places computed every
-/// ten minutes, without refraction. Within 0.1″ of sun_position (tests/terrain/sun_path_test.cpp)
-/// at a fraction of its cost when the instants ascend in short steps.
+/// The sun's path over one site for series of many instants: a cubic through positions computed
+/// every ten minutes, without refraction. Within 0.1″ of sun_position
+/// (tests/terrain/sun_path_test.cpp), much faster if the instants ascend in short steps.
 class SunPath {
  public:
     explicit SunPath(const Site& site) : site_(site) {}

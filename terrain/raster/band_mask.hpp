@@ -9,15 +9,15 @@
 
 namespace diurna {
 
-/// What a file says of the pixels of a band that hold no value, in whichever way: a declared nodata
-/// value, an internal mask, an alpha band, a .msk file; of several that apply, any.
+/// Pixels of a band without a value, from any declaration in the file: a nodata value, an internal
+/// mask, an alpha band, a .msk file; if several apply, any of them.
 class BandMask {
  public:
     /// where  the file, for messages
     BandMask(GDALRasterBand& band, std::string where);
 
-    /// Sets 0 for pixels of a row without a value, others where they have one. Throws InputError
-    /// where the mask cannot be read.
+    /// Sets 0 for pixels of a row without a value, non-zero for the others. Throws InputError if
+    /// the mask cannot be read.
     ///
     /// valid  (pixel) from `column` on
     void read(int column, int row, std::span<std::uint8_t> valid);

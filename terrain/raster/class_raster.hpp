@@ -14,7 +14,7 @@
 
 namespace diurna {
 
-/// A raster of whole-numbered classes, of any CRS and resolution. A value belongs to its whole
+/// A raster of integer classes, of any CRS and resolution. A value belongs to its whole
 /// cell.
 struct ClassRaster {
     std::string source;
@@ -25,10 +25,10 @@ struct ClassRaster {
 };
 inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min();
 
-/// Reads a class raster (GeoTIFF, ENVI, netCDF, ESRI ASCII). Throws InputError for one that is
-/// missing, damaged, without georeference or CRS, or of broken numbers.
+/// Reads a class raster (GeoTIFF, ENVI, netCDF, ESRI ASCII). Throws InputError if it is missing,
+/// damaged, without georeference or CRS, or has fractional values.
 ///
-/// - confines: of its sidecars; without, those of its folder
+/// - confines: of its sidecars; default: its folder
 ClassRaster read_class_raster(const std::filesystem::path& file,
                               const std::optional<Confines>& confines = {});
 

@@ -7,10 +7,10 @@
 
 namespace diurna {
 
-/// Reads one elevation raster: its heights in metres, voids as NaN, row 0 in the north, its place
-/// and CRS, and notes of what is doubtful about them. All of it if `whole`, else the window of the
-/// options. To read one more format, name its GDAL driver here; to read one that GDAL does not,
-/// fill a Dem beside this. Throws InputError as read_dem.hpp says.
+/// Reads one elevation raster: its heights in metres, voids as NaN, row 0 in the north, its
+/// position and CRS, and notes of uncertainties. All of it if `whole`, else the window of the
+/// options. To support another format of GDAL, add its driver here; for a format that GDAL does not
+/// read, fill a Dem in a new file. Throws InputError as read_dem.hpp.
 Dem read_tile(const std::filesystem::path& file, const DemOptions& options, bool whole);
 
 }  // namespace diurna

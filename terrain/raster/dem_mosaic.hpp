@@ -6,8 +6,9 @@
 
 namespace diurna {
 
-/// Tiles of one lattice as one raster; of posts that several know, the first tile's. Notes where
-/// they differ by more than a metre. Throws InputError for tiles of another lattice or CRS.
+/// Joins tiles of one lattice; where tiles overlap, the first tile's posts are used. Notes
+/// differences of more than a metre. Throws InputError for tiles of another lattice or CRS.
+/// CRS.
 Dem joined(std::vector<Dem> tiles);
 
 }  // namespace diurna

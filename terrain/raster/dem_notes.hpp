@@ -4,13 +4,13 @@
 
 namespace diurna {
 
-/// warnings about a raster's place that its reader should know; they go into its notes.
+/// Warnings about a raster's position, added to its notes.
 
-/// Notes how far the raster's datum lies from WGS84, if PROJ does not know the way: it then takes
-/// latitude and longitude as they are.
+/// Notes the distance of the raster's datum from WGS84 if PROJ has no transformation: latitude and
+/// longitude are then used unchanged.
 void note_datum(Dem& dem);
-/// Notes a raster that lies far from the UTM zone it names. A wrong neighbour zone with plausible
-/// eastings cannot be reported.
+/// Notes a raster that is far from the UTM zone it names. A wrong neighbour zone with plausible
+/// eastings cannot be detected.
 void note_zone(Dem& dem);
 
 }  // namespace diurna

@@ -7,21 +7,21 @@
 
 namespace diurna {
 
-/// What becomes of voids: the file is refused, they stay as holes in the mesh, or they are filled
-/// smoothly from the posts around (averages of coarser and coarser grids, the finest that knows).
+/// Treatment of voids: the file is refused, they stay as holes in the mesh, or they are filled
+/// smoothly from the posts around (averages of ever coarser grids, the finest that has a value).
 enum class VoidPolicy { refuse, leave, fill };
 
 struct DemOptions {
     VoidPolicy voids = VoidPolicy::refuse;
-    /// Keep only the window of posts that holds the circle of this radius [m] round a place; none:
-    /// the whole raster.
+    /// Keep only the window of posts that contains the circle of this radius [m] around a place;
+    /// nullopt: the whole raster.
     std::optional<Geodetic> centre = std::nullopt;
     double radius = 0.0;
-    /// Metres per unit of the file's heights; none: as the file says, metres if it says nothing.
+    /// Metres per unit of the file's heights; nullopt: the file's unit, metres if it has none.
     std::optional<double> unit = std::nullopt;
-    /// Adds EGM96's geoid, so that heights above the sea become heights above the ellipsoid.
+    /// Adds EGM96's geoid, which converts heights above the sea to heights above the ellipsoid.
     bool geoid = false;
-    /// Where what the raster leads to may lie, sidecars above all; none: those of its own folder.
+    /// Folders of files that the raster refers to, mainly sidecars; nullopt: its own folder.
     std::optional<Confines> confines = std::nullopt;
 };
 

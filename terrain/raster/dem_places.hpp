@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// Geodetic places of fractional posts (column, row) with their heights, by PROJ through the
+/// Geodetic positions of fractional posts (column, row) with their heights, by PROJ through the
 /// raster's CRS.
 std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vector2d> place,
                                       std::span<const float> height);
@@ -19,9 +19,9 @@ std::vector<Eigen::Vector3d> local_vertices(const Dem& dem, const Site& site,
                                             std::span<const Eigen::Vector2d> place,
                                             std::span<const float> height);
 
-/// Fractional (column, row) of geodetic places (their heights do not matter), or of points of the
-/// ground given by east and north [m] in the frame of the site. Places outside the raster give
-/// numbers outside [0, columns − 1] × [0, rows − 1].
+/// Fractional (column, row) of geodetic positions (heights are not used), or of points of the
+/// ground given by east and north [m] in the frame of the site. Positions outside the raster give
+/// values outside [0, columns − 1] × [0, rows − 1].
 std::vector<Eigen::Vector2d> raster_places(const Dem& dem, std::span<const Geodetic> places);
 std::vector<Eigen::Vector2d> raster_places(const Dem& dem, const Site& site,
                                            std::span<const Eigen::Vector2d> east_north);
@@ -31,7 +31,7 @@ Eigen::Vector2d post_spacing(const Dem& dem);
 
 /// The place in the middle of the raster, at the height of the nearest valid post.
 Geodetic dem_centre(const Dem& dem);
-/// Height [m] as height_at of dem.hpp has it.
+/// Height [m] as by height_at of dem.hpp.
 double height_at(const Dem& dem, double latitude_deg, double longitude_deg);
 
 }  // namespace diurna

@@ -6,7 +6,7 @@
 namespace diurna {
 
 /// Counts and marks the posts without height, then refuses, leaves or fills them: with averages of
-/// coarser and coarser grids, of the finest that knows one. Throws InputError if they are to be
+/// ever coarser grids, from the finest one that has a value. Throws InputError if they are to be
 /// refused, or if no post has a height.
 void apply_void_policy(Dem& dem, VoidPolicy policy);
 

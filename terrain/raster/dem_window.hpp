@@ -5,19 +5,19 @@
 
 namespace diurna {
 
-/// A part of a raster, by its first post and its posts.
+/// A part of a raster: its first post and its size.
 struct PostWindow {
     int column, row, columns, rows;
 };
 
-/// Posts from one before to one after the circle of the options; all without one. Throws InputError
-/// where the circle lies outside.
+/// Posts from one before to one after the circle of the options; all posts without a circle. Throws
+/// InputError if the circle is outside.
 PostWindow window_of(const Dem& dem, const DemOptions& options);
 
-/// The place of a window's posts instead of the raster's; heights are left as they are.
+/// Replaces the raster's position by that of the window; heights are unchanged.
 void move_to_window(Dem& dem, const PostWindow& window);
 
-/// Leaves the window alone of a raster.
+/// Crops a raster to the window.
 void crop(Dem& dem, const PostWindow& window);
 
 }  // namespace diurna

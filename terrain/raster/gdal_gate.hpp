@@ -7,9 +7,9 @@
 
 namespace diurna {
 
-/// While it lives, what GDAL opens on this thread lies within the confines, whichever file names
-/// it: sidecars, overviews, what metadata point to. Each is noted as read
-/// (materials/base/files_read.hpp). Of several on a thread the youngest holds.
+/// While it exists, files that GDAL opens on this thread must be within the confines, whichever
+/// file names them: sidecars, overviews, targets of metadata. Each is recorded as read
+/// (materials/base/files_read.hpp). If a thread has several gates, the latest applies.
 class GdalGate {
  public:
     explicit GdalGate(Confines confines);
@@ -17,12 +17,12 @@ class GdalGate {
     GdalGate(const GdalGate&) = delete;
     GdalGate& operator=(const GdalGate&) = delete;
 
-    /// Throws InputError where GDAL has asked for a file that it may not have.
+    /// Throws InputError if GDAL requested a file outside.
     void check() const;
 
  private:
     friend class GuardedDisk;
-    /// Whether GDAL may have a file; remembers the first that it may not.
+    /// Whether GDAL may open a file; remembers the first refusal.
     bool admits(const char* name, bool reported);
 
     Confines confines_;
@@ -31,8 +31,8 @@ class GdalGate {
     GdalGate* before_ = nullptr;  // of this thread
 };
 
-/// Registers the drivers that readers here use and no others, closes GDAL's file systems but those
-/// of the disk, of memory and of zip and gzip archives, and keeps it off the network. Once in the
+/// Registers only the drivers that the readers here use, restricts GDAL's file systems
+/// to disk, memory and zip and gzip archives, and disables network access. Once per
 /// process.
 void prepare_gdal();
 

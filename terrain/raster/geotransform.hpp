@@ -16,7 +16,7 @@ inline Eigen::Vector2d map_place(const GeoTransform& t, const Eigen::Vector2d& p
     return {t[0] + t[1] * pixel.x() + t[2] * pixel.y(), t[3] + t[4] * pixel.x() + t[5] * pixel.y()};
 }
 
-/// Pixels across and down from the first one's corner, for a way (dx, dy) on the map from there.
+/// Pixels across and down for an offset (dx, dy) on the map from the first pixel's corner.
 inline Eigen::Vector2d pixels_along(const GeoTransform& t, double dx, double dy) {
     const double area = pixel_area(t);
     return {(t[5] * dx - t[2] * dy) / area, (t[1] * dy - t[4] * dx) / area};
@@ -26,7 +26,7 @@ inline Eigen::Vector2d pixel_at(const GeoTransform& t, double x, double y) {
     return pixels_along(t, x - t[0], y - t[3]);
 }
 
-/// That of a part of the raster, beginning so many pixels across and down.
+/// The transform of a part of the raster, beginning this number of pixels across and down.
 inline GeoTransform shifted(GeoTransform t, double columns, double rows) {
     t[0] += t[1] * columns + t[2] * rows;
     t[3] += t[4] * columns + t[5] * rows;

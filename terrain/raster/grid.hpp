@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// Values over a grid, (row, column); NaN where there is none.
+/// Values over a grid, (row, column); NaN: no value.
 struct Grid {
     int columns = 0, rows = 0;
     std::vector<float> value;
@@ -14,11 +14,11 @@ struct Grid {
     float& at(int row, int column) { return value[std::size_t(row) * columns + column]; }
 };
 
-/// Half as fine: means over 2 × 2 cells of what is valid there.
+/// Half as fine: means of the valid values of 2 × 2 cells.
 Grid halved(const Grid& fine);
 
-/// Between the corners of a cell, a and b of its upper side, c and d of its lower; u across, v down
-/// (0 to 1).
+/// Interpolates within a cell, a and b its upper corners, c and d its lower; u across, v down (0 to
+/// 1).
 inline double bilinear(double a, double b, double c, double d, double u, double v) {
     return (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d);
 }

@@ -8,10 +8,10 @@
 
 namespace diurna {
 
-/// From the fractional (column, row) of one raster to those of another, within a rectangle of the
-/// first: Chebyshev polynomials of the fourth degree in either direction through 25 places that
-/// PROJ has brought over. Between maps of one datum 0.1 mm over 100 km; where PROJ shifts datums by
-/// a grid file, as good as that is smooth, a few centimetres.
+/// Converts fractional (column, row) of one raster to those of another, within a rectangle of the
+/// first: Chebyshev polynomials of the fourth degree in each direction through 25 places
+/// transformed by PROJ. Between maps of one datum 0.1 mm over 100 km; where PROJ shifts datums by a
+/// grid file, limited by its smoothness, a few centimetres.
 struct LatticeMap {
     static constexpr std::size_t nodes = 5;  // along either side
 
@@ -22,7 +22,7 @@ struct LatticeMap {
     Eigen::Vector2d operator()(const Eigen::Vector2d& place) const;
 };
 
-/// `bring` has places of the first raster and answers with those of the second, as many.
+/// `bring` converts places of the first raster to the same number of places of the second.
 LatticeMap lattice_map(
     const Eigen::Vector2d& low, const Eigen::Vector2d& high,
     const std::function<std::vector<Eigen::Vector2d>(std::span<const Eigen::Vector2d>)>& bring);

@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// Keeps GDAL's messages off the terminal and remembers the first, for our own.
+/// Keeps GDAL's messages off the terminal and stores the first, for use in our messages.
 class QuietGdal {
  public:
     QuietGdal() {

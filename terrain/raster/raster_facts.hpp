@@ -16,32 +16,32 @@ struct BandFacts {
     std::string name, unit, type;   // "Float32"; name and unit may be empty
     std::optional<double> no_data;  // as declared
     double least = 0.0,
-           most = 0.0;  // of what is finite and valid by its mask; NaN where nothing is
+           most = 0.0;  // of finite valid values; NaN without any
     double mean = 0.0;
     long long valid = 0;  // pixels
-    bool alpha = false;   // says which pixels of the other bands are valid
+    bool alpha = false;   // marks the valid pixels of the other bands
 };
 
 inline constexpr std::size_t most_bands_described = 64;
 
-/// What any raster file holds, be it elevation, classes, temperatures or a picture.
+/// Contents of any raster file: elevation, classes, temperatures or a picture.
 struct RasterFacts {
     std::string driver;  // GDAL's: "GTiff"
     int columns = 0, rows = 0;
     int bands = 0;
-    std::vector<BandFacts> band;  // of the first ones, most_bands_described at most
+    std::vector<BandFacts> band;  // the first ones, up to most_bands_described
     std::optional<GeoTransform> transform;
     std::string crs;   // its name, with the authority's code if it has one; "": none
     std::string unit;  // of map places: "metre", "degree"; "": none
-    std::vector<std::string> variable{};  // of netCDF with several, which has no bands
+    std::vector<std::string> variable{};  // of netCDF with several variables (no bands then)
 };
 
-/// Reads GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM, USGS DEM, netCDF (of several
-/// variables there: no bands); the bands described are read through.
-/// Throws InputError for one that is missing, damaged, larger than its bytes can hold or of over
-/// 1e9 values.
+/// Reads GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM, USGS DEM, netCDF (with several
+/// variables: no bands); the described bands are read completely.
+/// Throws InputError if it is missing, damaged, larger than its bytes can hold or has over 1e9
+/// values.
 ///
-/// - confines: of its sidecars; without, those of its folder
+/// - confines: of its sidecars; default: its folder
 RasterFacts read_raster_facts(const std::filesystem::path& file,
                               const std::optional<Confines>& confines = {});
 

@@ -8,15 +8,15 @@
 
 namespace diurna {
 
-/// The coordinate reference system of an open raster; none where it names none.
+/// The coordinate reference system of an open raster; nullopt if it has none:
 ///
-/// - As the file says.
+/// - the one in the file;
 /// - netCDF without a grid_mapping, whose axes are latitude and longitude by the CF conventions
-///   (units degrees_north and degrees_east, standard_name, or their usual names): WGS84, as files
-///   of ERA5, ETOPO and of NOAA mean it.
-/// - A gzipped ESRI ASCII grid, dem.asc.gz: of dem.prj beside it.
+///   (units degrees_north and degrees_east, standard_name, or their usual names): WGS84, which
+///   files of ERA5, ETOPO and NOAA use;
+/// - a gzipped ESRI ASCII grid, dem.asc.gz: the one in dem.prj beside it.
 ///
-/// Throws InputError of netCDF whose values are in the order longitude, latitude.
+/// Throws InputError for netCDF whose values are in the order longitude, latitude.
 std::optional<OGRSpatialReference> raster_reference(GDALDataset& raster,
                                                     const std::filesystem::path& file);
 

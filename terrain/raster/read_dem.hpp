@@ -8,18 +8,18 @@
 
 namespace diurna {
 
-/// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT also
-/// zipped, USGS DEM, ESRI ASCII, ENVI, netCDF). Sizes are checked against the file before memory is
-/// taken. Voids are declared ones and the undeclared −32768, −32767, 32767, −9999, NaN and anything
-/// below −12 km. Throws InputError in one clear line for a file that is missing, not a raster, has
-/// no valid post, less than 2 × 2 posts, no or a singular georeference, no CRS, or heights that are
-/// not metres.
+/// Reads any elevation raster of the supported GDAL drivers (GeoTIFF, DTED, SRTM HGT also zipped,
+/// USGS DEM, ESRI ASCII, ENVI, netCDF). Sizes are checked against the file before memory is
+/// allocated. Voids are declared ones and the undeclared −32768, −32767, 32767, −9999, NaN and
+/// anything below −12 km. Throws InputError in one clear line for a file that is missing, not a
+/// raster, has no valid post, less than 2 × 2 posts, no or a singular georeference, no CRS, or
+/// heights that are not metres.
 Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
 
-/// Several tiles as one raster, posts of shared seams once. All lie on one lattice of one CRS; a
-/// post takes the first tile that knows it, and tiles that disagree by more than a metre on the
-/// posts they share are reported in the notes. Posts that no tile has are voids. Tiles either side
-/// of the date line join.
+/// Several tiles as one raster. All must be on one lattice of one CRS; at shared seams the first
+/// tile with a value is used, and differences of more than a metre between tiles at shared posts
+/// are reported in the notes. Posts that no tile has are voids. Tiles on both sides of the date
+/// line are joined.
 Dem read_dem(std::span<const std::filesystem::path> tiles, const DemOptions& options = {});
 
 }  // namespace diurna

@@ -5,9 +5,9 @@
 
 namespace diurna {
 
-/// Metres of a height as maps write it: "12", "12.5 m", "12,5", "35 ft", "30'", "6' 4\"". The whole
-/// text is read; none: it is no height ("3 storeys", "10-12", "1,200", which may be either).
-/// Units: terrain/raster/height_unit.hpp, and inches behind feet.
+/// Parses a height as written in maps, in metres: "12", "12.5 m", "12,5", "35 ft", "30'", "6' 4\"".
+/// The whole text is read; nullopt: not a height ("3 storeys", "10-12", the ambiguous "1,200").
+/// Units: terrain/raster/height_unit.hpp, and inches after feet.
 std::optional<double> written_height(std::string_view text);
 
 }  // namespace diurna

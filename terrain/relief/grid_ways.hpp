@@ -9,10 +9,10 @@
 
 namespace diurna {
 
-inline constexpr int tile_side = 64;  // posts, each way, that share one way
+inline constexpr int tile_side = 64;  // posts in each direction that share one path
 
-/// A straight way in plan: its crossings with the grid's lines and diagonals, in order, seen from
-/// whatever post it starts at.
+/// A straight path in plan: its crossings with the grid's lines and diagonals, in order, relative
+/// to the post at which it starts.
 struct GridWay {
     std::vector<Crossing> crossing;
     std::vector<Stretch> stretch;
@@ -22,14 +22,14 @@ struct GridWay {
     }
 };
 
-/// The ways of one azimuth: one for all posts where the plan is even; else one for each tile, found
-/// when it is needed, since all of them at once would be gigabytes on a large raster.
+/// The paths of one azimuth: one for all posts if the plan is a regular grid; else one for each
+/// tile, computed when needed, since all of them would take gigabytes on a large raster.
 class GridWays {
  public:
-    /// The field is kept by reference.
+    /// Holds a reference to the field.
     GridWays(const HeightField& field, const Eigen::Vector2d& east_north);
 
-    /// Of the tile that begins at a post; `room` holds it if it is not for all.
+    /// The path of the tile that begins at a post; `room` stores it unless it is shared by all.
     const GridWay& at(int row, int column, GridWay& room) const;
 
  private:

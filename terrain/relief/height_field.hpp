@@ -12,24 +12,24 @@
 
 namespace diurna {
 
-/// Relief as heights over a regular grid, with exact answers to what stands between a post and the
-/// sky (horizon.hpp, relief_sun.hpp, relief_sky.hpp). The surface is the grid's triangles: every
-/// cell is cut from its first to its last corner, (column, row) to (column + 1, row + 1). The ways
-/// of one direction cross the grid's lines and diagonals at the same relative places whatever post
-/// they start from, so 64 neighbours are followed together (march.hpp); stretches of the way where
-/// nothing is high enough to matter are passed over. Exact up to float rounding: horizons within
-/// 0.0005° of robust rays.
+/// Relief as heights over a regular grid, with exact horizons, sun and sky of its posts
+/// (horizon.hpp, relief_sun.hpp, relief_sky.hpp). The surface is the grid's triangles: every
+/// cell is cut from its first to its last corner, (column, row) to (column + 1, row + 1). Paths
+/// in one direction cross the grid's lines and diagonals at the same relative places from every
+/// post, so 64 neighbours are followed together (march.hpp); stretches of a path without terrain
+/// high enough to matter are skipped. Exact to float rounding: horizons within 0.0005° of robust
+/// rays.
 ///
-/// Heights are `up` of the scene's frame, so the curvature of the Earth is in them. The plan may be
-/// bent (a grid of latitudes and longitudes): a way starts in the right direction at each tile of
-/// 64 × 64 posts and goes straight on in the grid, 0.04° off after 15 km at 36° north.
-/// Where the grid ends, nothing stands in the way; voids neither block nor have a horizon.
+/// Heights are `up` of the scene's frame, so they include the curvature of the Earth. The plan may
+/// be curved (a grid of latitudes and longitudes): a path starts in the right direction at each
+/// tile of 64 × 64 posts and runs straight in the grid, 0.04° off after 15 km at 36° north. Beyond
+/// the edge of the grid nothing blocks; voids neither block nor have a horizon.
 class HeightField {
  public:
-    /// `up` (row, column) [m], NaN where void; `plan`: east and north [m] of the nine posts at the
-    /// corners, the middles of the sides and the middle, row by row; between them quadratic.
-    /// Rows must turn clockwise from columns seen from above (east and south). Throws InputError
-    /// for less than 2 × 2 posts and a plan that is not so.
+    /// `up` (row, column) [m], NaN at voids; `plan`: east and north [m] of the nine posts at the
+    /// corners, the middles of the sides and the middle, row by row; quadratic between them. Rows
+    /// must turn clockwise from columns seen from above (east and south). Throws InputError for
+    /// less than 2 × 2 posts and any other plan.
     HeightField(int columns, int rows, std::span<const float> up,
                 const std::array<Eigen::Vector2d, 9>& plan);
     /// The same plan with other heights.
@@ -50,7 +50,7 @@ class HeightField {
     /// Unit normal at a post: the mean of its triangles', by area. Straight up over voids.
     Eigen::Vector3f normal(int row, int column) const;
 
-    /// For the march over it (tile_march.hpp).
+    /// For the march (tile_march.hpp).
     MarchField march_field() const;
     std::ptrdiff_t pitch() const { return pitch_; }
 

@@ -5,7 +5,7 @@
 
 namespace diurna {
 
-/// A function over [0, cells] from its values at whole numbers, straight between them.
+/// A function over [0, cells] from its values at integers, linear between them.
 template <int cells>
 class LinearTable {
  public:
@@ -14,7 +14,7 @@ class LinearTable {
         for (int i = 0; i <= cells; ++i) {
             value_[std::size_t(i)] = static_cast<float>(value_at(i));
         }
-        value_[cells + 1] = value_[cells];  // so that the end needs no question
+        value_[cells + 1] = value_[cells];  // so that x = cells needs no branch
     }
     float operator()(float x) const {
         const auto i = static_cast<std::size_t>(x);

@@ -52,7 +52,7 @@ constexpr int vectors = march_lanes / Lanes::width;
 struct Block {
     Lanes up[vectors], tangent[vectors];
 
-    /// Could anything as high as `height` and no nearer than 1/inverse_near raise a horizon?
+    /// Can terrain of this height, at 1/inverse_near or farther, raise any horizon?
     bool matters(float height, float inverse_near) const {
         const Lanes h = Lanes::all(height), inverse = Lanes::all(inverse_near);
         unsigned any = 0;
@@ -75,7 +75,7 @@ struct Block {
         }
     }
 
-    /// Lanes above the limit are out of the running.
+    /// Marks lanes above the limit as finished.
     void settle(Lanes stop) {
         for (int v = 0; v < vectors; ++v) {
             tangent[v] = Lanes::where_greater(tangent[v], stop, Lanes::all(1e30f), tangent[v]);

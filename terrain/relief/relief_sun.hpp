@@ -8,7 +8,7 @@
 namespace diurna {
 
 /// The share of the sun's disc seen from each post, (row, column); direction is a unit vector
-/// towards its centre. Zero while the whole disc is below the horizontal. Voids are in no shadow.
+/// towards its centre. Zero if the whole disc is below the horizontal. Voids are never in shadow.
 void sun_fraction(const HeightField& field, const Eigen::Vector3d& direction,
                   std::span<float> fraction, double lift = 0.0);
 

@@ -15,8 +15,8 @@ inline double share_above_edge(double x) {
     return 1.0 - (std::acos(x) - x * std::sqrt(1.0 - x * x)) / std::numbers::pi;
 }
 
-/// The share of the sun's disc above a horizon of the given tangent, 0 to 1. The horizon is taken
-/// as straight across the disc.
+/// The share of the sun's disc above a horizon of the given tangent, 0 to 1. The horizon is assumed
+/// straight across the disc.
 inline float disc_above(float horizon_tangent, double sun_elevation) {
     const double x = (sun_elevation - std::atan(double{horizon_tangent})) / sun_angular_radius;
     if (x >= 1.0) return 1.0f;
@@ -24,7 +24,7 @@ inline float disc_above(float horizon_tangent, double sun_elevation) {
     return static_cast<float>(share_above_edge(x));
 }
 
-/// share_above_edge for any x, from a table: within 1e-4, fast.
+/// share_above_edge for any x, from a table: faster, to 1e-4.
 class DiscTable {
  public:
     float operator()(float x) const {

@@ -7,14 +7,14 @@
 
 #include "terrain/relief/linear_table.hpp"
 
-/// What one azimuth adds to the sky that a plane sees: the mean over all azimuths is the sky view
-/// (Dozier & Frew 1990, eq. 7b). With h the elevation and t the tangent of where the plane's sky
-/// begins, n its unit normal and n_φ the normal's component that way:
+/// Contribution of one azimuth to the sky that a plane sees: the mean over all azimuths is the sky
+/// view (Dozier & Frew 1990, eq. 7b). With h the elevation and t the tangent of the lower edge of
+/// the plane's sky, n its unit normal and n_φ the normal's component in that direction:
 ///
 ///     n_z cos²h + n_φ (π/2 − h − sin h cos h)  =  n_z / (1 + t²) + n_φ (arccot t − t / (1 + t²))
 ///
-/// Whole rows of posts take the arc from a polynomial, in vector code (relief_sky.cpp); facets one
-/// by one take the bracket from a table.
+/// For whole rows of posts the arc comes from a polynomial, vectorised (relief_sky.cpp); for single
+/// facets the bracket comes from a table.
 namespace diurna {
 
 /// π/2 − atan t for t ≥ 0, within 1e-6 rad (odd polynomial on [0, 1], Abramowitz & Stegun 4.4.49).
@@ -48,11 +48,11 @@ class SlopeTable {
     }};
 };
 
-/// That above a horizon's tangent and the plane itself.
+/// The contribution above a horizon's tangent and above the plane itself.
 inline float sky_slice(const SlopeTable& slope, const Eigen::Vector3f& normal,
                        const Eigen::Vector2f& way, float tangent) {
     const float along = normal.head<2>().dot(way);
-    if (normal.z() <= 1e-4f) {  // a wall's own plane ends at the zenith
+    if (normal.z() <= 1e-4f) {  // the plane of a vertical wall ends at the zenith
         return along > 0.0f ? along * slope(tangent) : 0.0f;
     }
     const float t = std::max(tangent, -along / normal.z());

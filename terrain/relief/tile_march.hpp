@@ -10,13 +10,14 @@
 
 namespace diurna {
 
-/// What is asked of each post's horizon.
+/// Which horizon to compute for each post.
 struct HorizonRequest {
-    double lift = 0.0;                 // [m] of the eye above the post
-    float start = 0.0f, stop = 1e30f;  // its tangent is exact between these, else the nearer one
+    double lift = 0.0;                 // [m] of the observer above the post
+    float start = 0.0f, stop = 1e30f;  // the tangent is clamped to these
 };
 
-/// Tangents of the horizon of one row of tiles, of 64 rows of posts; `tangent` of its posts alone.
+/// Tangents of the horizon of one row of tiles (64 rows of posts), whose posts `tangent`
+/// holds.
 void march_tiles(const HeightField& field, const GridWays& ways, int tile_row,
                  const HorizonRequest& request, std::span<float> tangent);
 

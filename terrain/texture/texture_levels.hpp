@@ -10,40 +10,40 @@
 
 namespace diurna {
 
-/// A texture on a material: what its values mean there.
+/// A texture on a material: the meaning of its values there.
 struct Skin {
     std::shared_ptr<const Texture> texture;
     TextureFrame frame{};
-    std::vector<MaterialId> material;  // (level) that the surface is of at low + level · step
+    std::vector<MaterialId> material;  // (level) material at the value low + level · step
     double low = 0.0, step = 1.0;      // of the texture's value
-    double outside = 0.0;              // the value where the texture has none
+    double outside = 0.0;              // value where the texture has none
 };
 inline constexpr std::uint16_t no_skin = 0xFFFF;
 
-/// Which facets a place belongs to: a share `second_share` to one, the rest to the other.
+/// Facets at a place: a share `second_share` is one of them, the rest the other.
 struct Blend {
     FacetId first, second;
     float second_share = 0.0f;
 };
 
-/// Textured facets as several facets in one place, one for each level of the texture that occurs
-/// there: of its own material, with its own heat balance under the same sun, sky and surroundings.
-/// A place between two levels is a mixture of both: it sends their radiances by shares. For two
-/// materials side by side that is exact; for a parameter (albedo, emissivity) it is the straight
-/// line between two solutions, at each place, whatever the size of the facet: midway 0.05 K off
-/// between albedos 0.3 apart, 0.07 K between emissivities 0.2 apart (8-12 µm on asphalt, noon and
-/// midnight, tests/scenes/textured_scene_test.cpp), and with the square of the distance.
+/// A textured facet becomes several facets in one place, one for each level of the texture that
+/// occurs there: each with its own material and heat balance under the same sun, sky and
+/// surroundings. A place between two levels is a mixture: its radiance is the sum of both by their
+/// shares. For two materials side by side that is exact; for a parameter (albedo, emissivity) it is
+/// linear interpolation between two solutions, at each place and for any facet size: midway 0.05 K
+/// off between albedos 0.3 apart, 0.07 K between emissivities 0.2 apart (8-12 µm on asphalt, noon
+/// and midnight, tests/scenes/textured_scene_test.cpp), growing with the square of the distance.
 ///
-/// The first of a facet's levels stands in its own place, the others are copies behind all facets
-/// that rays know, with areas and view factors by their shares of the facet.
+/// The first of a facet's levels has the facet's own number, the others are appended after all
+/// facets known to rays, with areas and view factors by their shares of the facet.
 struct TextureLevels {
-    std::size_t solid = 0;              // facets that rays know, the first ones of all
+    std::size_t solid = 0;              // facets known to rays, the first of all
     FacetSet facets;                    // all of them
-    std::vector<std::uint32_t> origin;  // (facet) the solid one in its place
+    std::vector<std::uint32_t> origin;  // (facet) the solid facet at its place
     std::vector<float> share;           // (facet) of the place
 
     bool empty() const { return of_facet.empty(); }  // no textures: nothing else is set
-    /// spacing  [m] to the next place asked for
+    /// spacing  [m] to the next place requested
     Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;
 
     struct OfFacet {

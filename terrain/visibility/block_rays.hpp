@@ -13,14 +13,14 @@ namespace diurna {
 
 inline constexpr std::size_t facets_per_block = 128;
 
-/// Rays of many facets one behind the other, handed on sixteen at a time.
+/// Queue of rays from many facets, passed on sixteen at a time.
 struct RayQueue {
     static constexpr std::size_t room = 32;
     std::array<float, room> origin_x, origin_y, origin_z, direction_x, direction_y, direction_z;
     std::array<std::uint32_t, room> owner;
     std::size_t size = 0;
 
-    /// Puts in the k-th ray of a packet if it is wanted.
+    /// Appends the k-th ray of a packet if `wanted`.
     void put(const RayPacket& rays, std::size_t k, std::uint32_t from, bool wanted) {
         origin_x[size] = rays.origin_x[k];
         origin_y[size] = rays.origin_y[k];
@@ -35,10 +35,10 @@ struct RayQueue {
     void take(std::size_t count, RayPacket& rays, std::array<std::uint32_t, 16>& owners);
 };
 
-/// What the rays of one block of facets meet. Those above everything round about meet the sky. Of
-/// the others first is asked whether anything stands in their way, the cheapest question; only
-/// where it does, for the nearest facet, and that only if `nearest` is wanted. Light that goes on
-/// behind a facet is followed, heat or sunlight.
+/// Traces the rays of one block of facets. Rays above everything nearby reach the sky. For the
+/// others an occlusion query, the cheapest one, comes first; only if it finds something, the
+/// nearest facet is searched, and only if `nearest` is set. Light that continues behind a facet,
+/// thermal or solar, is followed.
 class BlockRays {
  public:
     /// - ground: facets before this one are ground
@@ -49,13 +49,13 @@ class BlockRays {
     /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
     /// which there is only sky.
     void trace(const RayPacket& rays, int lanes, std::uint32_t from, const SkyBound::Sines& sines);
-    /// Asks for the rays that are left.
+    /// Traces the remaining rays.
     void finish();
 
-    // (facet of the block) rays; `hidden`: that met the back of a sheet, or the inside of a body,
-    // in which they then began
+    // (facet of the block) rays; `hidden`: those that met the back of a sheet, or the inside of a
+    // body in which they started
     std::array<double, facets_per_block> sky{}, below{}, hidden{};
-    // (facet of the block) Σ over what is hidden of the sky above the horizontal, ray by ray
+    // (facet of the block) Σ over the hidden part of the sky above the horizontal, ray by ray
     std::array<SkyVector, facets_per_block> covered{};
     std::vector<std::uint32_t> owner;  // (hit) facet of the block, rising
     struct Seen {
@@ -71,9 +71,9 @@ class BlockRays {
     void escaped(std::uint32_t from, float up, double share = 1.0) {
         (up >= 0.0f ? sky : below)[from] += share;
     }
-    /// Counts a share of the packet's k-th ray, if it goes up, for sky that is hidden.
+    /// Adds a share of the packet's k-th ray, if it points up, to the hidden sky.
     void cover(std::size_t k, float share);
-    /// The k-th ray of the packet, through what lets light pass.
+    /// Follows the k-th ray of the packet through transparent facets.
     void follow(std::size_t k);
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);

@@ -8,22 +8,22 @@
 
 namespace diurna {
 
-/// A further place of some facets: rays meet them there, too.
+/// A copy of a range of facets at a second place; rays meet them there, too.
 struct Copy {
     std::uint32_t first = 0, facets = 0;  // [first, first + facets) of the scene's
-    ObjectId object{};                    // that stands there
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // from these facets to the copy's
+    ObjectId object{};                    // object at the copy's place
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // original to copy
 };
 
 inline constexpr std::uint32_t no_copy = 0xFFFFFFFFu;
 
-/// The copies of a scene and numbers for what rays meet of them. A facet in a copy's place has a
-/// number of its own, from 2³¹ on; what it is made of, its heat and its light are those of the
-/// facet that it is a copy of.
+/// The copies of a scene, and numbers for the facets that rays meet in them. A facet of a copy has
+/// its own number, from 2³¹ on; its material, temperature and light are those of the original
+/// facet.
 class Copies {
  public:
     Copies() = default;
-    /// Throws InputError where they have 2³¹ facets or more, all in all.
+    /// Throws InputError if they have 2³¹ facets or more in total.
     explicit Copies(std::vector<Copy> all);
 
     bool empty() const { return all_.empty(); }
@@ -31,32 +31,32 @@ class Copies {
     const Copy& operator[](std::size_t copy) const { return all_[copy]; }
 
     static bool is_copied(std::uint32_t met) { return met >= first_number && met != none; }
-    /// Of the k-th facet of a copy.
+    /// Number of the k-th facet of a copy.
     std::uint32_t number(std::size_t copy, std::uint32_t k) const {
         return first_number + begin_[copy] + k;
     }
     struct Place {
-        std::uint32_t facet;  // of the scene's, or index(no_facet)
-        std::uint32_t copy;   // whose place it is in, or no_copy
+        std::uint32_t facet;  // original facet, or index(no_facet)
+        std::uint32_t copy;   // the copy it is in, or no_copy
     };
-    /// What a ray has met, copied or not.
+    /// Facet and copy of a ray's hit.
     Place at(std::uint32_t met) const {
         return is_copied(met) ? found(met - first_number) : Place{met, no_copy};
     }
 
-    /// In a copy's place; of no_copy what is given.
+    /// Transforms a point to a copy's place; unchanged for no_copy.
     Eigen::Vector3d placed(std::uint32_t copy, const Eigen::Vector3d& at) const {
         return copy == no_copy ? at : all_[copy].pose * at;
     }
     Eigen::Vector3d turned(std::uint32_t copy, const Eigen::Vector3d& way) const {
         return copy == no_copy ? way : all_[copy].pose.linear() * way;
     }
-    /// Turned back from a copy's place.
+    /// Rotates a direction back from a copy's place.
     Eigen::Vector3d turned_back(std::uint32_t copy, const Eigen::Vector3d& way) const {
         return copy == no_copy ? way : all_[copy].pose.linear().transpose() * way;
     }
 
-    /// The upright box round a copy [m].
+    /// The axis-aligned box around a copy [m].
     Eigen::AlignedBox3d box(const FacetSet& facets, std::size_t copy) const;
 
  private:
@@ -68,7 +68,7 @@ class Copies {
     std::vector<std::uint32_t> begin_;  // (copy + 1) facets before it
 };
 
-/// Some facets as a set of their own, each with corners of its own, in a copy's place.
+/// Some facets as a separate set, with their own vertices, at a copy's place.
 FacetSet in_place(const FacetSet& facets, const Copy& copy);
 
 }  // namespace diurna

@@ -9,19 +9,19 @@
 
 namespace diurna {
 
-/// The rays by which a facet samples what it sees, and so its row of view factors
-/// (view_factor_sampling.hpp): stratified, cosine-weighted directions about a facet's normal, each
-/// from a point of its own: sixteen neighbouring directions of a packet start from sixteen points
-/// spread evenly over the facet. (From one point each, the error on a facet as wide as what it sees
-/// was twice as large at 64 rays and four times at 1024.) All lanes are worked out together, since
-/// Embree takes less time for them than drawing them one by one would.
+/// Rays that sample the hemisphere of a facet for its row of view factors
+/// (view_factor_sampling.hpp): stratified, cosine-weighted directions about its normal. The sixteen
+/// neighbouring directions of a packet start from sixteen points spread evenly over the facet.
+/// (With one starting point, the error for a facet as wide as its surroundings was twice as large
+/// at 64 rays and four times at 1024.) All lanes are computed together, since tracing them takes
+/// Embree less time than drawing them one by one would.
 class HemisphereRays {
  public:
     HemisphereRays(int rays, std::uint64_t seed);
 
     std::size_t rays() const { return rays_; }
     std::size_t packets() const { return (rays_ + 15) / 16; }
-    /// How many lanes of a packet hold rays.
+    /// Number of lanes of a packet that hold rays.
     int lanes(std::size_t packet) const {
         return int(std::min<std::size_t>(16, rays_ - 16 * packet));
     }

@@ -12,26 +12,26 @@
 
 namespace diurna {
 
-/// Who sees whom: facet f sees source[k] with factor[k] for k in [row[f], row[f + 1]).
+/// View factors as rows: facet f sees source[k] with factor[k] for k in [row[f], row[f + 1]).
 template <class Id>
 struct SeenRows {
     std::span<const std::uint32_t> row;
     std::span<const Id> source;
     std::span<const float> factor;
-    std::span<const float> itself = {};  // (facet) with which it sees its own like; empty: 0
+    std::span<const float> itself = {};  // (facet) view factor to its own group; empty: 0
 
     std::size_t facets() const { return row.size() - 1; }
 };
 
-/// What facets have got to send: so many numbers each (instants, or modes of bands).
+/// Unsent light of facets: a number of values for each (instants, or modes of bands).
 struct UnsentLight {
     float* value;        // (facet, lane)
-    std::size_t stride;  // from a facet's to the next one's
+    std::size_t stride;  // from one facet to the next
     std::size_t lanes;
-    std::span<float> counts;  // (facet) how much it matters: what is above 1 is sent
+    std::span<float> counts;  // (facet) its importance: facets above 1 send
 };
 
-/// Nothing real asks for so many sweeps: a closed room of snow needs 180.
+/// Limit that real scenes do not reach: a closed room of snow needs 180.
 inline constexpr int enough_sweeps = 1000;
 
 namespace interreflection {
@@ -66,19 +66,19 @@ inline void gather(std::span<const Sender> senders, std::size_t lanes, float* ou
 
 }  // namespace interreflection
 
-/// All bounces of light between diffuse facets: Neumann's series of E = F (sent + R E), summed
-/// until no facet has anything left to send that counts. What a facet has got waits until it does
-/// (as in progressive refinement: Cohen and others, SIGGRAPH 1988), so that sweeps cost what
-/// is still under way; what is left at the end is in `unsent`, at most 1 a facet. If its lanes
-/// count by x / bound, E is short of what an infinite series would give by at most
-/// bound × s / (1 − r), with s the largest Σ factor of a row and r the largest share of what
-/// arrives that is sent on, times s.
+/// All interreflections between diffuse facets: Neumann's series of E = F (sent + R E), summed
+/// until no facet has unsent light above the limit. Light received accumulates until it exceeds
+/// the limit (progressive refinement: Cohen and others, SIGGRAPH 1988), so sweeps only process
+/// what is not negligible; the rest at the end is in `unsent`, at most 1 per facet. If
+/// importance is x / bound, E is below the infinite series by at most bound × s / (1 − r), with
+/// s the largest Σ factor of a row and r the largest reflected share of the light received,
+/// times s.
 ///
-/// unsent   in: what each sends at first; out: what was not sent any more
-/// reflect  float(facet, const float* arrived, float* unsent): takes in what has arrived (lane),
-///          adds what is sent on to `unsent`, and reports how much that counts now. Called from
-///          many threads, once for a facet and sweep
-/// sweeps   at most
+/// unsent   in: each facet's initial emission; out: light not sent
+/// reflect  float(facet, const float* arrived, float* unsent): receives the light (lane), adds the
+///          reflected part to `unsent`, and returns its importance. Called from many threads, once
+///          per facet and sweep
+/// sweeps   maximum number
 /// returns  sweeps; the same bytes for any number of threads
 template <class Id, class Reflect>
 int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Reflect& reflect,
@@ -87,7 +87,7 @@ int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Refl
     constexpr std::size_t grain = 512;
     const std::size_t facets = rows.facets(), count = unsent.lanes;
     std::vector<std::uint8_t> sends(facets), reached(facets);
-    std::unique_ptr<float[]> arrived;  // memory of facets that are not reached is never touched
+    std::unique_ptr<float[]> arrived;  // memory of facets that receive nothing is never touched
     for (int sweep = 0;; ++sweep) {
         bool any = false;
         for (std::size_t f = 0; f < facets; ++f) any |= (sends[f] = unsent.counts[f] > 1.0f);

@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-/// Eighths of the compass, each between an axis and a diagonal. Of its number, bit 0 says west,
-/// bit 1 south, bit 2 nearer to east or west than to north or south.
+/// Eighths of the compass, each between an axis and a diagonal. Bit 0 of its number is set for
+/// west, bit 1 for south, bit 2 if nearer to east or west than to north or south.
 using ByOctant = std::array<float, 8>;
 
-/// The octant of a direction that goes so far east and north.
+/// The octant of a direction with these east and north components.
 inline std::size_t compass_octant(float east, float north) {
     return std::size_t(east < 0.0f) | std::size_t(north < 0.0f) << 1 |
            std::size_t(std::abs(east) > std::abs(north)) << 2;
@@ -32,8 +32,8 @@ struct OctantMiddles {
 };
 inline constexpr OctantMiddles octant_middles;
 
-/// How steeply a plane that rises by so much per metre east and north does within each octant at
-/// most: along one of the octant's two borders, or right uphill.
+/// Maximum slope within each octant of a plane that rises this much per metre east and north: along
+/// one of the octant's two borders, or directly uphill.
 inline ByOctant steepest_rise(float east, float north) {
     ByOctant rise;
     constexpr float diagonal = 0.70710678f;

@@ -9,11 +9,12 @@
 
 namespace diurna {
 
-/// A relief with all objects filled up to their tops: every post round a cell that an object's box
-/// touches, and one more, goes up to the object's top. Whatever an object may shade, this does too.
+/// A relief with all objects filled up to their tops: every post around a cell that an object's
+/// box touches, and one further post, is raised to its top. It shades all that an object may
+/// shade.
 struct RaisedRelief {
     HeightField relief;
-    std::vector<std::uint8_t> touched;  // (post) 1 where an object stands
+    std::vector<std::uint8_t> touched;  // (post) 1 under an object
 };
 
 /// Objects are the facets from `ground_facets` on, and copies.

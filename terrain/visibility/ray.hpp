@@ -14,16 +14,16 @@ struct Ray {
     float near = 0.0f;          // [m] along the direction
     Eigen::Vector3f direction;  // unit
     float far = 1e30f;
-    float time = 0.5f;  // of scenes that move (FacetMotion), 0 to 1
+    float time = 0.5f;  // in scenes with motion (FacetMotion), 0 to 1
 };
 
 struct Hit {
     FacetId facet = no_facet;      // no_facet: nothing was hit
     float range = 0.0f;            // [m], recomputed in double from the facet's corners
-    std::uint32_t copy = no_copy;  // in whose place the facet was hit
+    std::uint32_t copy = no_copy;  // copy in which the facet was hit
 };
 
-/// Sixteen rays side by side, from 0 to infinity, that have little in common.
+/// Sixteen incoherent rays side by side, from 0 to infinity.
 struct RayPacket {
     alignas(64) std::array<float, 16> origin_x, origin_y, origin_z;
     alignas(64) std::array<float, 16> direction_x, direction_y, direction_z;  // unit

@@ -8,25 +8,25 @@
 
 namespace diurna {
 
-/// Bundles of sixteen rays that are much alike, the samples of a pixel each, laid side by side so
-/// that whole rows of pixels can be prepared, traced and read in turn. From 0 to infinity, all
-/// sixteen lanes in use. For one thread.
+/// Bundles of sixteen coherent rays, the samples of a pixel each, side by side so that whole rows
+/// of pixels can be prepared, traced and read in turn. From 0 to infinity, all sixteen lanes in
+/// use. For one thread.
 class RayBundles {
  public:
     static constexpr std::size_t lanes = 16;
-    /// Room for so many bundles; the scene is kept by reference.
+    /// Room for this many bundles; holds a reference to the scene.
     RayBundles(const RayScene& scene, std::size_t most);
     ~RayBundles();
     RayBundles(const RayBundles&) = delete;
     RayBundles& operator=(const RayBundles&) = delete;
 
-    // (bundle, lane) To be written: where rays begin [m], and their unit directions.
+    // (bundle, lane) To be written: origins of the rays [m], and their unit directions.
     float *origin_x, *origin_y, *origin_z;
     float *direction_x, *direction_y, *direction_z;
-    float* time;  // of scenes that move (FacetMotion), 0 to 1; 0.5 to begin with
+    float* time;  // in scenes with motion (FacetMotion), 0 to 1; initially 0.5
     void set_origin(const Eigen::Vector3f& origin);  // of all of them
 
-    /// The nearest facet of each ray of the first few bundles.
+    /// The nearest facet of each ray of the first `bundles` bundles.
     void closest(std::size_t bundles);
     const std::uint32_t* facet;  // (bundle, lane) its number (copies.hpp); index(no_facet): nothing
                                  // was hit

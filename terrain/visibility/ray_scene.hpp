@@ -15,15 +15,15 @@ namespace diurna {
 
 struct EmbreeScene;
 
-/// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
-/// A ray aimed exactly at a vertex can slip through (Embree issue 174), one at an edge about once
-/// in a million, so samples are never put there. Non-finite or wildly indexed triangles are refused
-/// by FacetSet's makers.
+/// The scene's triangles, prepared for rays (Embree, robust mode). Queries are thread-safe. A ray
+/// exactly through a vertex can miss (Embree issue 174), one through an edge misses about once in a
+/// million, so samples are never placed there. Triangles that are not finite or have wrong indices
+/// are refused by the functions that build a FacetSet.
 class RayScene {
  public:
-    /// - passed: (material) what their facets let through; empty: nothing
-    /// - copies: further places of some of them
-    /// - motion: empty where nothing moves
+    /// - passed: (material) light that their facets transmit; empty: none
+    /// - copies: second places of some of them
+    /// - motion: empty without motion
     explicit RayScene(const FacetSet& facets, std::vector<PassedLight> passed = {},
                       Copies copies = {}, const FacetMotion& motion = {});
     ~RayScene();
@@ -31,38 +31,38 @@ class RayScene {
     RayScene& operator=(RayScene&&) noexcept;
 
     /// The nearest facet along each ray. Rays are traced 16 at a time in the order given: fastest
-    /// where neighbours are alike.
+    /// if neighbours are similar.
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
-    /// blocked[i] = 1 if anything lies between near and far.
+    /// blocked[i] = 1 if a facet is between near and far.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
 
-    /// Where facets stand besides: the numbers below are those of Copies.
+    /// Copies of facets: the facet numbers below include theirs.
     const Copies& copies() const;
 
-    /// The nearest facet's number along the first `lanes` rays, index(no_facet) where there is
-    /// none.
+    /// The nearest facet's number along the first `lanes` rays, index(no_facet) without a
+    /// hit.
     void closest(const RayPacket& rays, int lanes, std::array<std::uint32_t, 16>& facet) const;
     void occluded(const RayPacket& rays, int lanes, std::array<std::uint8_t, 16>& blocked) const;
 
-    /// share[i] of the sun's beam that comes through from beyond everything: the product of what
-    /// the facets between let through at their angles.
+    /// share[i] of the sun's beam that arrives from outside the scene: the product of the
+    /// transmittances of the facets on the ray at their angles.
     void beam(std::span<const Ray> rays, std::span<float> share) const;
 
-    /// What stands along a ray, the nearest first, as long as light goes on behind it.
+    /// A facet along a ray, the nearest first, as long as light continues behind it.
     struct Met {
-        FacetId facet;      // its number; no_facet, the last: nothing more, what is left escapes
+        FacetId facet;      // its number; no_facet, the last: the rest escapes
         bool back = false;  // of a sheet
-        float share;        // of diffuse heat, or sunlight, that ends here; they add up to one
+        float share;        // of diffuse thermal light or sunlight absorbed here; the sum is one
     };
     void along(const Ray& ray, bool sunlight, std::vector<Met>& met) const;
-    /// Whether a ray that meets this facet is one for `along`: light goes on, or a back may be met.
+    /// Whether a ray that meets this facet needs `along`: light continues, or it may be a back.
     bool to_follow(std::uint32_t met) const {
         if (facets_.empty()) return false;
         const PassedLight& passed = passed_[side_of(met).material];
         return passed.sheet || !passed.beam.empty();
     }
 
-    /// How far a facet's middle is at a time from where it is at 0.5 [m].
+    /// Displacement of a facet's centroid at a time from its position at 0.5 [m].
     Eigen::Vector3d gone(std::uint32_t met, float time) const;
 
     const EmbreeScene& embree() const { return *embree_; }  // for ray_bundles.cpp
@@ -73,19 +73,19 @@ class RayScene {
         Eigen::Vector3f normal;
     };
     const Side& side_of(std::uint32_t met) const { return facets_[copies().at(met).facet]; }
-    /// Of a facet's normal in its place and a direction.
+    /// Cosine between a facet's normal at its place and a direction.
     float cosine(std::uint32_t met, const Eigen::Vector3f& direction) const;
     struct Nearest {
         std::uint32_t met;
         float range;
     };
     void nearest(std::span<const Ray> rays, std::span<Nearest> found) const;
-    /// The number of the nearest facet beyond ray.near; moves that there.
+    /// The number of the nearest facet beyond ray.near; moves ray.near to it.
     std::uint32_t next(Ray& ray) const;
 
     std::unique_ptr<EmbreeScene> embree_;
     std::vector<PassedLight> passed_;  // (material)
-    std::vector<Side> facets_;         // (facet); empty where all are opaque and none a sheet
+    std::vector<Side> facets_;         // (facet); empty if all are opaque and no sheets
 };
 
 }  // namespace diurna

@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// A small flat receiver of light: it sees the scene, the scene does not see it.
+/// A small flat receiver of light: it receives light from the scene but does not affect it.
 struct Receiver {
     Eigen::Vector3d place;   // east, north, up [m]
     Eigen::Vector3d normal;  // unit
@@ -21,15 +21,15 @@ FacetSet receiver_facets(std::span<const Receiver> receivers);
 
 struct ReceiverViewOptions {
     int rays = 4096;                // of each, 1 to 65535
-    std::size_t ground_facets = 0;  // of the scene: the first ones, a height field
+    std::size_t ground_facets = 0;  // number of the scene's first facets, a height field
     std::uint64_t seed = 1;
-    bool sunlight = false;  // of what goes through facets, that of the sun's spectrum; else of heat
+    bool sunlight = false;  // transmittance of facets for the sun's spectrum; else thermal
 };
 
-/// What each receiver sees, as facet_views() has it for facets: row r of the result is receiver r,
-/// and its entries are facets of the scene (what is seen in a copy's place is the facet that is
-/// copied). Stratified, cosine-weighted: the standard error of a view factor of 0.5 is about
-/// 0.65 / rays^0.75 = 0.0013 at 4096 rays (view_factor_sampling.hpp).
+/// Views of each receiver, as facet_views() for facets: row r of the result is receiver r, and its
+/// entries are facets of the scene (copies count as their originals). Stratified, cosine-weighted:
+/// the standard error of a view factor of 0.5 is about 0.65 / rays^0.75 = 0.0013 at 4096 rays
+/// (view_factor_sampling.hpp).
 FacetViews receiver_views(std::span<const Receiver> receivers, const FacetSet& facets,
                           const RayScene& scene, const ReceiverViewOptions& options);
 

@@ -15,21 +15,21 @@ struct CellBox {
     int first_column, last_column, first_row, last_row;
 };
 
-/// What SkyBound has to know of the facets, on a lattice of square cells with about four facets
-/// each: how steep the relief is in a cell, and how high anything stands there.
+/// Data for SkyBound, on a lattice of square cells with about four facets each: the steepness of
+/// the relief in a cell, and the highest point in it.
 ///
-/// A cell is relief if every facet that touches it looks up, has corners that are closed round
-/// about by their facets, and alone covers the cell's middle. Folds, walls, roofs above and the
-/// mesh's edge are none.
+/// A cell is relief if every facet that touches it faces up, has corners that are completely
+/// surrounded by their facets, and is the only one over the cell's middle. Cells with folds, walls,
+/// roofs above or the mesh's edge are not relief.
 struct ReliefCells {
     Eigen::Vector2f corner = Eigen::Vector2f::Zero();  // south-west [m]
     float side = 1.0f;                                 // of a cell [m]
-    std::vector<Grid> top;           // highest vertex [m]; cells of `side`, then twice as wide, ...
-    std::vector<ByOctant> steepest;  // (row, column) tangents; infinite where there is no relief
+    std::vector<Grid> top;           // highest vertex [m]; cells of `side`, then of twice that, ...
+    std::vector<ByOctant> steepest;  // (row, column) tangents; infinite outside the relief
 
-    /// Work and memory are linear in the facets; without facets, or with long slivers all over the
-    /// place, nothing is known.
-    /// Copies count as what their boxes are.
+    /// Time and memory are linear in the facets; without facets, or with
+    /// many long slivers, no bound is stored. Copies count as their
+    /// boxes.
     explicit ReliefCells(const FacetSet& facets, const Copies& copies = {});
     bool known() const { return !steepest.empty(); }
 

@@ -14,26 +14,27 @@ namespace diurna {
 /// A point of a ground facet, by its cell of the relief.
 struct ReliefPoint {
     std::uint32_t post;  // the cell's first, row · columns + column
-    float u, v;          // place in the cell, 0 to 1, across and down
+    float u, v;          // position in the cell, 0 to 1, across and down
 };
 
-/// Points at which ground facets ask the relief for its horizon: spread evenly over each facet,
-/// one for a facet much smaller than a cell, about six a cell for a larger one, 64 at most.
+/// Points of ground facets at which the relief's horizon is evaluated: spread evenly over each
+/// facet, one for a facet much smaller than a cell, about six per cell for larger ones, up to
+/// 64.
 class ReliefPoints {
  public:
-    /// The first `ground_facets` lie on the relief, within its tolerance. It is kept by reference.
+    /// The first `ground_facets` are on the relief, within its tolerance. Holds a reference to it.
     ReliefPoints(const FacetSet& facets, const HeightField& relief, std::size_t ground_facets);
 
     std::size_t facets() const { return coarse_.size(); }
     std::span<const ReliefPoint> of(std::size_t facet) const {
         return std::span(point_).subspan(first_[facet], first_[facet + 1] - first_[facet]);
     }
-    /// A facet of more than two cells has smoothed the relief away.
+    /// A facet of more than two cells, which smooths the relief.
     bool coarse(std::size_t facet) const { return coarse_[facet]; }
-    /// Some point lies beyond the relief's edge or beside a void.
+    /// Some point is outside the relief or next to a void.
     bool off_relief(std::size_t facet) const { return off_relief_[facet]; }
 
-    /// The four posts round a point.
+    /// The four posts around a point.
     std::array<std::size_t, 4> posts_round(const ReliefPoint& p) const {
         const std::size_t first = p.post, columns = std::size_t(relief_.columns());
         return {first, first + 1, first + columns, first + columns + 1};

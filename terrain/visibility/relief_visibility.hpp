@@ -14,38 +14,39 @@
 
 namespace diurna {
 
-/// Sun and sky on facets of which the first lie on a relief that is also known as a grid: these by
-/// the march over the grid (relief/horizon.hpp), which is exact and ten times faster than rays;
-/// shadow edges, objects, and ground that objects may shade, by rays.
+/// Sun and sky on facets of which the first are on a relief that is also available as a grid: for
+/// these by the march over the grid (relief/horizon.hpp), which is exact and ten times faster than
+/// rays; for shadow edges, objects, and ground that objects may shade, by rays.
 ///
-/// A ground facet asks for the horizon at points spread evenly over it (relief_points.hpp). Where
-/// all posts round them agree that the sun's whole disc is up, or down, that is so; else rays
-/// decide. A facet of more than two cells has smoothed the relief away: at each of its points the
-/// grid's own normal and horizon count, so that it carries the mean light of the fine relief.
+/// A ground facet evaluates the horizon at points spread evenly over it (relief_points.hpp). If all
+/// posts around them agree that the sun's whole disc is visible, or hidden, that is the result;
+/// else rays decide. A facet of more than two cells smooths the relief: at each of its points the
+/// grid's own normal and horizon are used, so that it receives the mean light of the fine relief.
 class ReliefVisibility {
  public:
-    /// `facets`, `rays` and `relief` are kept by reference. The first `ground_facets` lie on the
+    /// Holds references to `facets`, `rays` and `relief`. The first `ground_facets` are on the
     /// relief, within its tolerance.
     ///
-    /// - finer: (ground facet) 1 where the mesh shows more than the relief, a detail of the raster:
-    ///   always by rays; empty: none does
+    /// - finer: (ground facet) 1 if the mesh is finer than the relief (on a detail of the
+    ///   raster):
+    ///   always by rays; empty: none
     ReliefVisibility(const FacetSet& facets, const RayScene& rays, const HeightField& relief,
                      std::size_t ground_facets, std::span<const std::uint8_t> finer = {});
 
     /// Like `sun_fraction` of sun_fraction.hpp. For a facet of more than two cells it is the mean
-    /// over its points of seen disc × cosine of incidence, over the cosine on the facet itself: its
-    /// product with that is the beam that the fine relief takes in, and it may exceed one. Where
-    /// the facet itself is turned away from the sun it is zero. Returns the number of facets that
-    /// rays had to decide.
+    /// over its points of visible disc × cosine of incidence, divided by the cosine on the facet
+    /// itself: the product of both is the beam received by the fine relief, so it may exceed one.
+    /// It is zero if the facet itself faces away from the sun. Returns the number of facets decided
+    /// by rays.
     ///
-    /// - known: (facet) 1: keeps what it has; empty: none does
+    /// - known: (facet) 1: keeps its value; empty: none
     std::size_t sun_fraction(const Eigen::Vector3d& direction, std::span<float> fraction,
                              const SunFractionOptions& options = {},
                              std::span<const std::uint8_t> known = {}) const;
 
     /// Like `facet_views` of view_factor_sampling.hpp: view factors by rays; on the ground the
-    /// sky's share by the march (32 azimuths), and the rows scaled to what it leaves. Where objects
-    /// may hide more than 0.001 of the sky from the ground, by more rays.
+    /// sky's share by the march (32 azimuths), and the rows scaled to the remainder. Where objects
+    /// may hide more than 0.001 of the sky from the ground, more rays are used.
     FacetViews facet_views(const FacetViewOptions& options = {}) const;
 
  private:
@@ -73,7 +74,7 @@ class ReliefVisibility {
     ReliefPoints points_;
     std::optional<RaisedRelief> raised_;
     std::vector<std::uint8_t> always_;  // (facet) always by rays
-    std::vector<std::uint8_t> beside_;  // (ground facet) among objects; empty: there are none
+    std::vector<std::uint8_t> beside_;  // (ground facet) near objects; empty: no objects
 };
 
 }  // namespace diurna

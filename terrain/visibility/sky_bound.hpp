@@ -7,22 +7,22 @@
 
 namespace diurna {
 
-/// A bound on how high anything stands as seen from a patch of facets, octant by octant of the
-/// compass, so that rays above it need not be traced: they meet the sky.
+/// An upper bound on the elevation of everything seen from a patch of facets, by octant of the
+/// compass, so that rays above it need not be traced: they reach the sky.
 ///
-/// Near a patch nothing rises faster than the facets there do that way, if the mesh is relief
-/// (relief_cells.hpp): folds and borders are then out of reach, so the surface is the graph of a
-/// function and a chord no steeper than the steepest triangle below it. Farther away the highest
-/// vertex of each cell counts, in cells that double with distance. Where the mesh is no relief
-/// there is no bound.
+/// Near a patch nothing rises faster than the facets there do in that direction, if the mesh is
+/// relief (relief_cells.hpp): it then has neither folds nor borders nearby, so the surface is the
+/// graph of a function and a chord is no steeper than the steepest triangle below it. Farther away
+/// the highest vertex of each cell is used, in cells that double with distance. Where the mesh is
+/// not relief there is no bound.
 ///
-/// Work and memory are linear in the facets: about 0.15 µs and 15 bytes each.
+/// Time and memory are linear in the facets: about 0.15 µs and 15 bytes each.
 class SkyBound {
  public:
     explicit SkyBound(const FacetSet& facets, const Copies& copies = {}) : cells_(facets, copies) {}
 
     /// By octant the sine of an elevation angle that nothing exceeds as seen from any point of the
-    /// facets [begin, end); above one where none is known.
+    /// facets [begin, end); above one if there is no bound.
     using Sines = ByOctant;
     Sines sines(const FacetSet& facets, std::size_t begin, std::size_t end) const;
 

@@ -11,7 +11,8 @@
 
 namespace diurna {
 
-/// The k-th of a sequence that fills the unit square evenly (Roberts' R2), from a random start.
+/// Point k of a sequence that fills the unit square evenly (Roberts' R2), from a random
+/// start.
 inline Eigen::Vector2d evenly(int k, const Eigen::Vector2d& start) {
     const double x = start.x() + even_step_x * k, y = start.y() + even_step_y * k;
     return {x - std::floor(x), y - std::floor(y)};
@@ -20,13 +21,13 @@ inline Eigen::Vector2d evenly(int k, const Eigen::Vector2d& start) {
 /// Directions over the sun's disc.
 class SunDisc {
  public:
-    /// - direction: unit, towards its middle
+    /// - direction: unit, towards its centre
     explicit SunDisc(const Eigen::Vector3d& direction) : direction_(direction) {
         std::tie(east_, north_) = tangents(direction);
     }
 
-    /// u, v of the unit square give directions uniform over the disc, neighbours to neighbours
-    /// (Shirley & Chiu 1997).
+    /// Maps u, v of the unit square to directions uniform over the disc, continuously (Shirley &
+    /// Chiu 1997).
     Eigen::Vector3d towards(double u, double v) const {
         const double a = 2.0 * u - 1.0, b = 2.0 * v - 1.0;
         if (a == 0.0 && b == 0.0) return direction_;

@@ -104,7 +104,44 @@ TEST_CASE("a setting finds one of several tables by name or number",
     CHECK(eyes[1].number("width", "of it") == 20.0);
     // A value that was moved is reported of where it stood: line 7, column 15.
     eyes[1].number("height", "of it", {.least = 9.0});
-    CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye[1].height"));
+    CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye.west.height"));
+}
+
+TEST_CASE("mistakes name one of several tables by its name, as settings do",
+          "[materials][document][own_keys]") {
+    const auto reported = [](const std::string& text) {
+        const Document document = Document::from_text(text, "hill.toml");
+        for (const Section& eye : document.root().sections("eye", "an eye")) {
+            if (eye.has("name")) eye.text("name", "its name");
+            for (const Section& lid : eye.sections("lid", "a lid")) lid.number("width", "of it");
+            eye.number("width", "of it");
+        }
+        try {
+            document.finish();
+        } catch (const InputError& error) {
+            return error.mistakes().front().line();
+        }
+        return std::string("none");
+    };
+    const std::string east = "[[eye]]\nname = \"east\"\nwidth = 1\n", west = "[[eye]]\nname = ";
+    CHECK(reported(east + west + "\"west\"\nwidth = \"x\"\n")
+              .find("hill.toml:6:9: eye.west.width: ") == 0);
+    CHECK(reported(east + west + "\"north wall\"\nwidth = \"x\"\n")
+              .find("hill.toml:6:9: eye.\"north wall\".width: ") == 0);
+    CHECK(reported(east + west + "\"west\"\nwidth = 1\nlid = [{ width = \"x\" }]\n")
+              .find("eye.west.lid[0].width: ") != std::string::npos);
+    // By number: a table alone, names that are the same, tables without names.
+    CHECK(reported("[[eye]]\nname = \"east\"\nwidth = \"x\"\n").find(": eye[0].width: ") !=
+          std::string::npos);
+    CHECK(reported(east + west + "\"east\"\nwidth = \"x\"\n").find(": eye[1].width: ") !=
+          std::string::npos);
+    // A setting by its name, though the table is alone.
+    Document alone = Document::from_text("[[eye]]\nname = \"east\"\n", "hill.toml");
+    alone.set("eye.east.width=wide");
+    alone.root().sections("eye", "an eye").front().number("width", "of it");
+    CHECK_THROWS_WITH(alone.finish(), Catch::Contains("--set eye.east.width: "));
+    CHECK(reported("[[eye]]\nwidth = 1\n[[eye]]\nwidth = \"x\"\n").find(": eye[1].width: ") !=
+          std::string::npos);
 }
 
 TEST_CASE("a document tells what was asked of it, and how", "[materials][document][own_keys]") {

@@ -1,5 +1,7 @@
 #include "render/picture/quicklook.hpp"
 
+#include <png.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
@@ -141,4 +145,67 @@ TEST_CASE("the sky does not take up the colours", "[render][quicklook]") {
     const ColourScale scale = colour_scale(frame, apparent.name);
     CHECK(scale.low == Approx(20.0).margin(1.0));
     CHECK(scale.high == Approx(30.0).margin(1.0));
+}
+
+namespace {
+
+/// Palette indices would be coded differently in each file; so the pixels [red, green, blue].
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb{};
+
+    /// Whether a rectangle holds a pixel of the text's colour.
+    bool inked(int left, int top, int right, int bottom) const {
+        for (int y = top; y < std::min(bottom, height); ++y) {
+            for (int x = left; x < std::min(right, width); ++x) {
+                const auto at = 3 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
+                if (rgb[at] == 232 && rgb[at + 1] == 232 && rgb[at + 2] == 228) return true;
+            }
+        }
+        return false;
+    }
+};
+
+Pixels quicklook_of(const Frame& frame) {
+    const auto path = std::filesystem::temp_directory_path() /
+                      ("diurna_quicklook_" + std::to_string(std::random_device{}()) + ".png");
+    write_quicklook(path, frame, frame.planes.front().name);
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    REQUIRE(png_image_begin_read_from_file(&image, path.c_str()));
+    image.format = PNG_FORMAT_RGB;
+    Pixels pixels{int(image.width), int(image.height), {}};
+    pixels.rgb.resize(PNG_IMAGE_SIZE(image));
+    REQUIRE(png_image_finish_read(&image, nullptr, pixels.rgb.data(), 0, nullptr));
+    std::filesystem::remove(path);
+    return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("the title of a small quick-look stays beside the scale's unit", "[render][quicklook]") {
+    for (const auto& [width, height] :
+         {std::pair{128, 96}, {64, 64}, {16, 16}, {256, 128}, {640, 512}}) {
+        CAPTURE(width, height);
+        Frame frame;
+        frame.width = width;
+        frame.height = height;
+        frame.observer = "generator_east";
+        frame.instant = parse_instant("2026-07-15T04:00:00Z");
+        Plane plane{"radiance.8-12", "W m-2 sr-1", {}};
+        for (int i = 0; i < width * height; ++i) {
+            plane.pixel.push_back(1e-5f * static_cast<float>(i) /
+                                  static_cast<float>(width * height));
+        }
+        frame.planes = {plane};
+        const Pixels pixels = quicklook_of(frame);
+        // Above the picture; the unit begins 14 pixels to the right of the picture.
+        const int picture = 10 + std::max(width, 64);
+        CHECK(pixels.inked(0, 0, picture, 42));                        // the title
+        CHECK_FALSE(pixels.inked(picture + 10, 0, picture + 14, 42));  // and a gap behind it
+        CHECK_FALSE(pixels.inked(picture + 14, 0, pixels.width, 17));  // only the unit there
+        CHECK(pixels.inked(picture + 14, 17, pixels.width, 42));
+        // No number reaches the picture's right edge: it would be cut.
+        CHECK_FALSE(pixels.inked(pixels.width - 1, 0, pixels.width, pixels.height));
+    }
 }

@@ -75,7 +75,7 @@ TEST_CASE("mistakes in bands and cubes are told", "[scenes][bands]") {
                Catch::Contains("observer[0].bands") && Catch::Contains("did you mean 'camera'"));
     CHECK_THAT(one("cubes = [\"lines\"]", "cubes = [\"line\"]"),
                Catch::Contains("observer[0].cubes") && Catch::Contains("did you mean 'lines'"));
-    CHECK_THAT(one("camera.csv", "nowhere.csv"), Catch::Contains("bands[0].response"));
+    CHECK_THAT(one("camera.csv", "nowhere.csv"), Catch::Contains("bands.camera.response"));
     CHECK_THAT(one("range_um = [9.0, 11.0]", "range_um = [11.0, 9.0]"),
                Catch::Contains("cubes[0].range_um"));
     CHECK_THAT(one("channels = 8", "chanels = 8"), Catch::Contains("unknown key"));

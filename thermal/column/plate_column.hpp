@@ -10,14 +10,14 @@
 
 namespace diurna {
 
-/// A step of a plate closed by a film on each face. Its nodes (thermal/column/column.hpp) are few,
-/// so all their eigenmodes are kept; with u = q + film θ of each face linear in time between the
-/// ends,
+/// A step of a plate with a film on each face. It has few nodes (thermal/column/column.hpp),
+/// so all its eigenmodes are used; with u = q + film θ of each face linear in time over the
+/// step,
 ///
 ///     x₁ = decay x₀ + Σ_k face_k (from u₀ₖ + to u₁ₖ),    θ_k = Σ face_k x,    k = front, back.
 ///
-/// Right however thin and conductive the sheet is: one too quick for the step follows its films at
-/// once, and the mode between its faces only carries the heat through.
+/// Valid for any thickness and conductivity: a sheet whose time constant is shorter than the step
+/// follows its films immediately, and the mode between its faces only conducts heat through.
 struct PlateStep {
     double step, reference;                   // [s], [K]
     std::array<double, 2> film;               // [W m⁻² K⁻¹] front, back
@@ -29,7 +29,7 @@ struct PlateStep {
 
     std::size_t modes() const { return rate.size(); }
 };
-/// grid  of the plate; what it has below its last node is skipped
+/// grid  of the plate; its link below the last node is ignored
 PlateStep make_plate_step(const ColumnGrid& grid, double reference, double front_film,
                           double back_film, double step);
 

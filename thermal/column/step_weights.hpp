@@ -6,12 +6,12 @@
 
 namespace diurna {
 
-/// What is left of a state that decays at a rate after a step, and what drives bring to it per
-/// length of step, one that is even and one that grows from zero to one; z = rate · step ≥ 0:
+/// Weights of a step for a state that decays at a rate: the remaining share of the state, and the
+/// effect of a constant drive and of one that rises from zero to one; z = rate · step ≥ 0:
 ///
 ///     decay = e⁻ᶻ,    first = (1 − e⁻ᶻ) / z,    second = (e⁻ᶻ − 1 + z) / z²
 ///
-/// (the φ functions of exponential integrators; Hochbruck & Ostermann 2010), each right to 1e-14.
+/// (the φ functions of exponential integrators; Hochbruck & Ostermann 2010), each to 1e-14.
 /// (T20) of docs/theory.md
 struct StepWeights {
     double decay, first, second;

@@ -8,36 +8,36 @@
 #include "thermal/kernels/mode_kernel.hpp"
 #include "thermal/kernels/surface_loops.hpp"
 
-// The surface balance of columns in modes, lanes side by side, compiled once for each width of
-// vectors (kernels_avx2.cpp, kernels_avx512.cpp); everything here belongs to the unit that includes
+// The surface balance of columns in modes, several lanes in parallel, compiled once for each vector
+// width (kernels_avx2.cpp, kernels_avx512.cpp); everything here is local to the unit that includes
 // it.
 //
-// One evaluation is a chain of some 250 cycles of latency but a quarter of that of work. It is cut
-// into loops over all lanes, each so short that the processor's schedulers hold every vector of it
-// at once and work on them side by side.
+// One evaluation is a chain with a latency of some 250 cycles but only a quarter of that as work.
+// It is split into loops over all lanes, each so short that the processor's schedulers hold all of
+// its vectors at once and process them in parallel.
 
 namespace diurna {
 
 namespace {
 
-constexpr int newton_steps = 10;  // more than a bend takes
+constexpr int newton_steps = 10;  // more than a kink needs
 constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
 
-/// [K] of the last correction, which has been applied: what is left goes with its square, 1e-9 K
-/// and less for ground; wet ground in calm, dry air leaves 100 times its square; a plate's film
-/// rises from the air's temperature with an upright tangent.
+/// [K] size of the last correction, which has been applied: the remaining error is of second order,
+/// 1e-9 K and less for ground; for wet ground in calm, dry air 100 times the square; a plate's film
+/// has a vertical tangent at the air's temperature.
 template <FilmKind Kind, bool Wet>
 constexpr double near_enough = !on_ground<Kind> ? 1e-8
                                : Wet            ? 1e-6
                                                 : 1e-4;
 
-/// Where a wet surface's balance bends [K]: at the dew point, and as warm as the air, where the
-/// film changes with the root of the difference and vapour with it.
+/// Kinks of a wet surface's balance [K]: at the dew point, and at the air's temperature, where film
+/// and vapour flux change with the root of the difference.
 struct Bends {
     double dew_point, air;
 };
-/// A correction that leads across the dew point, or is not small beside what is left to the air's
-/// temperature, proves nothing of what is left, unless it is tiny.
+/// A correction that crosses the dew point, or is not small compared with the distance to the air's
+/// temperature, is no measure of the remaining error, unless it is tiny.
 template <bool Wet>
 [[gnu::always_inline]] inline double size_of(double correction, double t, double next, Bends bend) {
     double size = std::abs(correction);
@@ -46,13 +46,13 @@ template <bool Wet>
         const double from_air = std::abs(next - bend.air);
         size *= across < 0.0 || from_air < 20.0 * size ? 1e3 : 1.0;
     }
-    // Comparisons with NaN are false: it counts as far away.
+    // Comparisons with NaN are false: NaN counts as large.
     return size < 1e9 ? size : 1e9;
 }
 
-/// The surface balance of `Count` lanes: what film_of and latent_heat of
-/// thermal/surface say, to 4 ulp of its terms (tests/thermal/vector_lanes_test.cpp),
-/// in short loops. `air_at` (lane) is the air, which may change from lane to lane.
+/// The surface balance of `Count` lanes: equal to film_of and latent_heat of thermal/surface to 4
+/// ulp of its terms (tests/thermal/vector_lanes_test.cpp), in short loops. `air_at` (lane) is the
+/// air, which may differ between lanes.
 template <std::size_t Count>
 struct Balance {
     alignas(64) double flux[Count], slope[Count];
@@ -61,8 +61,8 @@ struct SameAir {
     AirFilm air;
     [[gnu::always_inline]] const AirFilm& operator()(std::size_t) const { return air; }
 };
-/// Air of lanes at heights of their own: on the line between two heights' (air_between). Value by
-/// value, as loops that copy a whole AirFilm do not become vectors.
+/// Air of lanes at different heights: interpolated between two heights (air_between). Value by
+/// value, as loops that copy a whole AirFilm are not vectorised.
 template <std::size_t Count>
 struct AirByLane {
     alignas(64) double temperature[Count], neutral[Count], instability[Count];
@@ -70,10 +70,10 @@ struct AirByLane {
     alignas(64) double conduct[Count], sixth[Count], quarter[Count], third[Count];
     alignas(64) double laminar[Count], turbulent[Count], edge[Count];
     double a, c, s, least, resistance, wetness;  // the same at all heights
-    PlateAir plate;                              // likewise what no array holds
+    PlateAir plate;                              // values of plates that no array holds
     FilmKind kind;
 
-    /// up  (lane) share of the way from `low` to `high`
+    /// up  (lane) fraction of the way from `low` to `high`
     AirByLane(const AirFilm& low, const AirFilm& high, const double* up)
         : a(high.a),
           c(high.c),

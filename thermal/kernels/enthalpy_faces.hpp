@@ -11,22 +11,22 @@
 #include "thermal/surface/stored_flux.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
-// The ends of columns whose water freezes, lane by lane: the skin with what lies on it, and what
-// comes from below.
+// The ends of columns with freezing water, lane by lane: the skin with its cover, and the flux from
+// below.
 
 namespace diurna {
 
 namespace {
 
-/// Films and dry losses of skins, and the vapour above them [lane]: in short loops, as the
-/// compiler makes no vectors of long ones.
+/// Films and dry losses of skins, and the vapour above them [lane]: in short loops, as the compiler
+/// does not vectorise long ones.
 struct SkinState {
     alignas(64) double h[W], steep[W], dry[W], dry_slope[W];
     alignas(64) double pressure[W], pressure_slope[W];  // of saturation [Pa]
 };
 template <FilmKind Kind>
 void films_of(const EnthalpySurface& s, const double* temperature, SkinState& skin) {
-    // A copy where scalars choose between branches: no store through a pointer can change it.
+    // A copy for branches between scalars: no store through a pointer can change it.
     const std::conditional_t<on_ground<Kind>, const LaneAir&, LaneAir> air_at = *s.air;
     const double radiation = s.emissivity * stefan_boltzmann;
     const double* const least = s.least_film;
@@ -35,7 +35,7 @@ void films_of(const EnthalpySurface& s, const double* temperature, SkinState& sk
         const AirFilm& air = air_at(l);
         const double t = temperature[l], floor = least[l];
         Film film = film_of<Kind>(air, s.natural[l], t);
-        const double holds = film.h < floor ? 0.0 : 1.0;  // no less of a skin over snow
+        const double holds = film.h < floor ? 0.0 : 1.0;  // the minimum film of a skin over snow
         film.h = std::max(film.h, floor);
         film.rise *= holds;
         const DryLoss dry = dry_loss(air, film, radiation, t);
@@ -77,7 +77,7 @@ void skins_of(const EnthalpySurface& s, const double* temperature, SkinState& sk
     by_kind(s.air->kind, false,
             [&]<FilmKind Kind, bool>() { skins_at<Kind>(s, temperature, skin); });
 }
-/// frost_vapour of all lanes: pressure above the air's, and the heat that vapour carries.
+/// frost_vapour of all lanes: pressure minus the air's, and the heat carried by vapour.
 struct LaneVapour {
     alignas(64) double excess[W], heat[W], heat_slope[W];
 };
@@ -109,7 +109,7 @@ void balance_at(const EnthalpySurface& s, const double* temperature, double* flu
     vapour_over(s, skin, temperature, s.evaporates ? 1.0 : 0.0, v);
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
-        // stored_latent: the wet share free, the rest through the surface's resistance.
+        // stored_latent: from the wet share freely, from the rest through its resistance.
         const double h = skin.h[l], capacity = air.heat_capacity[l], wet = share[l];
         const double excess = v.excess[l], carried = v.heat[l];
         const double drying = excess > 0.0 ? 1.0 : 0.0;
@@ -152,10 +152,10 @@ void store_at(const EnthalpySurface& s, const double* temperature, double* wet_l
     }
 }
 
-/// What reaches the ground at its temperatures [lane]: the skin's balance, through the snow that
-/// lies on it.
+/// Flux into the ground at its temperatures [lane]: the skin's balance, through the snow
+/// cover.
 ///
-/// settled  [K] of the skin's last correction, which is applied: what is left goes with its square
+/// settled  [K] the skin's last correction, which is applied: the error is of second order
 void into_ground(const EnthalpySurface& s, const double* ground, double settled, double* skin,
                  double* flux, double* slope) {
     if (!s.cover) {
@@ -187,12 +187,12 @@ void into_ground(const EnthalpySurface& s, const double* ground, double settled,
     }
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
-        const double g = s.cover[l];  // whose g (skin − ground) would have lost digits
+        const double g = s.cover[l];  // instead of g (skin − ground), which loses digits
         slope[l] = g * (g / (g - slope[l]) - 1.0);
     }
 }
 
-/// What plates' backs lose and are given at temperatures [lane].
+/// Losses and gains of plates' backs at temperatures [lane].
 template <FilmKind Kind>
 void back_of_plate(const EnthalpySurface& s, const double* t, double* flux, double* slope) {
     const std::conditional_t<on_ground<Kind>, const LaneAir&, LaneAir> air_at = *s.air;
@@ -200,7 +200,7 @@ void back_of_plate(const EnthalpySurface& s, const double* t, double* flux, doub
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
         const AirFilm& air = air_at(l);
-        const NaturalFilm& front = s.natural[l];  // turned over
+        const NaturalFilm& front = s.natural[l];  // reversed
         const NaturalFilm own{.side = -front.side,
                               .quarter = front.quarter,
                               .third = front.third,
@@ -214,7 +214,7 @@ void back_of_plate(const EnthalpySurface& s, const double* t, double* flux, doub
         slope[l] = back.slope;
     }
 }
-/// Into the last nodes from below, at temperatures [lane].
+/// Flux into the last nodes from below, at temperatures [lane].
 void from_below(const EnthalpySurface& s, const EnthalpyColumn& c, const double* t, double* flux,
                 double* slope) {
     if (s.behind) {

@@ -6,19 +6,19 @@
 #include "materials/base/units.hpp"
 #include "thermal/kernels/enthalpy_kernel.hpp"
 
-// How a node's temperature, heat and conductivity follow its state u, and where they bend: for the
-// loops of enthalpy_faces.hpp and enthalpy_loops.hpp. No branch: one law holds for all nodes.
+// A node's temperature, heat and conductivity as functions of its state u, and their kinks: for the
+// loops of enthalpy_faces.hpp and enthalpy_loops.hpp. Without branches: one law for all nodes.
 
 namespace diurna {
 
 namespace {
 
 constexpr std::size_t W = enthalpy_lanes;
-constexpr double past_kink = 1e-9;                           // beyond a bend, in u
+constexpr double past_kink = 1e-9;                           // past a kink, in u
 constexpr double coldest_node = 1.0, hottest_node = 5000.0;  // [K]
 
-/// A node whose water is frozen below u = 0, thawed from u = `melted` on: 1; beyond all u where it
-/// drains (snow); 0 of a node without water.
+/// 1 for a node whose water is frozen below u = 0 and thawed from u = `melted` on (infinite if it
+/// drains: snow); 0 for a node without water.
 struct NodeLaw {
     double zero, melted;
     double frozen, latent, thawed;
@@ -54,7 +54,7 @@ struct NodeLaw {
     const double through = heat_of(n, u + by) - heat_of(n, u);
     return n.plain ? n.thawed * by : through;
 }
-/// As far as the first bend on the way, of a node with water.
+/// Limits a change of a node with water to the first kink.
 [[gnu::always_inline]] inline double halted(const NodeLaw& n, double from, double to) {
     const double m = n.melted;
     double at = to;
@@ -64,7 +64,7 @@ struct NodeLaw {
     return (from < 0.0) & (to > 0.0) ? past_kink : at;
 }
 
-/// ∫k dT from melting on, and k.
+/// ∫k dT above the melting point, and k.
 [[gnu::always_inline]] inline double conductivity_of(const EnthalpyLink& link, double t) {
     return t < zero_celsius ? link.frozen : link.thawed;
 }

@@ -8,26 +8,26 @@
 #include "thermal/kernels/enthalpy_map.hpp"
 #include "thermal/kernels/enthalpy_sweeps.hpp"
 
-// The loops of columns whose water freezes, compiled once for each width of vectors
-// (kernels_avx2.cpp, kernels_avx512.cpp); everything here belongs to the unit that includes it.
+// The loops of columns with freezing water, compiled once for each vector width (kernels_avx2.cpp,
+// kernels_avx512.cpp); everything here is local to the unit that includes it.
 //
-// All laws are straight but for bends where water begins or ends to melt, and the surface's
-// balance, which is solved by itself: one sweep upward, the surface, one sweep downward is exact
-// unless a node has come to a bend. There it halts, and the sweeps are made again.
+// All laws are linear except for kinks where water begins or ends to melt, and the surface balance,
+// which is solved separately: one sweep upward, the surface, one sweep downward is exact unless a
+// node reaches a kink. There it halts, and the sweeps are repeated.
 
 namespace diurna {
 
 namespace {
 
-/// A lane's surface node between what is known of it.
+/// Bounds of a lane's surface node.
 struct Bracket {
     alignas(64) double low[W], high[W], done[W];
-    alignas(64) double settled[W];  // [K] of the last correction, which is applied
+    alignas(64) double settled[W];  // [K] last correction, which is applied
 };
 
-/// One Newton step of all surface nodes within their brackets. Returns how many are left.
+/// One Newton step of all surface nodes within their brackets. Returns how many have not converged.
 ///
-/// i  how many went before: after 60 the brackets are halved
+/// i  number of steps before this one: from 60 on the brackets are halved
 double step_top(const EnthalpyStage& e, const NodeLaw& node, const double* under,
                 const double* under_slope, int i, Bracket& b) {
     const double leads = i < 60 ? 1.0 : 0.0;
@@ -63,7 +63,7 @@ double step_top(const EnthalpyStage& e, const NodeLaw& node, const double* under
     return left;
 }
 
-/// How far the surface nodes go, each a falling equation of its own.
+/// Change of the surface nodes, each from a separate decreasing equation.
 void solve_top(const EnthalpySurface& s, const EnthalpyStage& e, const Eliminated& below) {
     constexpr int most = 120;
     const EnthalpyColumn& c = e.column;
@@ -79,7 +79,7 @@ void solve_top(const EnthalpySurface& s, const EnthalpyStage& e, const Eliminate
         bracket.low[l] = coldest_node - node.zero - e.begin[l];
         bracket.high[l] = hottest_node - node.zero - e.begin[l];
         bracket.done[l] = 0.0;
-        // What is left goes with its square but where something begins or ends to melt.
+        // The error is of second order except where melting or freezing begins or ends.
         bracket.settled[l] = s.frost_heat[l] + s.water_heat[l] > 0.0 ? 1e-9 : 1e-6;
     }
     for (int i = 0; i < most; ++i) {
@@ -87,7 +87,7 @@ void solve_top(const EnthalpySurface& s, const EnthalpyStage& e, const Eliminate
         for (std::size_t l = 0; l < W; ++l) {
             t[l] = node.zero + theta_of(node, e.begin[l] + e.by[l]);
         }
-        // A skin over snow need not be exact while the ground is far from where it goes.
+        // A skin over snow need not be exact while the ground is far from its result.
         const double skin_settled = i == 0 ? 1e-1 : i == 1 ? 1e-3 : 1e-8;
         into_ground(s, t, skin_settled, e.skin, e.flux, e.slope);
         if (alone) {
@@ -111,8 +111,8 @@ void solve_top(const EnthalpySurface& s, const EnthalpyStage& e, const Eliminate
     }
 }
 
-/// Fluxes and slopes at both ends where the stage has led; `left` gets what is left of the back's
-/// balance [W m⁻²], which bends with its film.
+/// Fluxes and slopes at both ends at the end of the stage; `left` gets the residual of the back's
+/// balance [W m⁻²], whose film has a kink.
 void take_down(const EnthalpySurface& s, const EnthalpyStage& e, const double* last_before,
                double* left) {
     const EnthalpyColumn& c = e.column;

@@ -2,18 +2,18 @@
 
 #include "thermal/kernels/enthalpy_laws.hpp"
 
-// What a step of columns whose water freezes makes of small deviations of its start.
+// Effect of a step of columns with freezing water on small deviations of its start.
 
 namespace diurna {
 
 namespace {
 
-/// Rows of one node: row = own · row + low · under, in single precision, and by · over going back.
+/// Rows of one node: row = own · row + low · under, in single precision, and by · over downward.
 struct MapWeights {
     alignas(64) float own[W], low[W];
 };
 
-/// Elimination of one node: its weights, and how it follows the node over it.
+/// Elimination of one node: its weights, and its dependence on the node above it.
 void weigh_node(const EnthalpyStage& e, const double* tau, const double* state, const double* taken,
                 std::size_t i, double* follow, MapWeights& weights) {
     const EnthalpyColumn& c = e.column;
@@ -24,7 +24,7 @@ void weigh_node(const EnthalpyStage& e, const double* tau, const double* state, 
     const EnthalpyLink up = i > 0 ? c.link[i - 1] : EnthalpyLink{};
     const double *u = state + i * W, *begin = e.begin + i * W;
     const double *uu = state + (i + 1 < n ? i + 1 : i) * W, *uo = state + (i > 0 ? i - 1 : 0) * W;
-    const double* const next = follow + (i + 1 < n ? W : 0);  // 0 · itself of the last node
+    const double* const next = follow + (i + 1 < n ? W : 0);  // for the last node 0 · itself
     const double first = i == 0 ? 1.0 : 0.0, last = i + 1 == n ? 1.0 : 0.0;
     if (i + 1 == n) std::fill_n(follow, W, 0.0);
 #pragma omp simd

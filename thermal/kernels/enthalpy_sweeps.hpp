@@ -6,24 +6,24 @@
 #include "thermal/kernels/enthalpy_faces.hpp"
 #include "thermal/kernels/enthalpy_laws.hpp"
 
-// Elimination of the nodes under the surface, from below upward, and back down.
+// Elimination of the nodes below the surface, upward, and substitution downward.
 
 namespace diurna {
 
 namespace {
 
-/// What is left of the nodes below: see NonlinearColumn::Below.
+/// Equation remaining from the nodes below: see NonlinearColumn::Below.
 struct Eliminated {
     double *offset, *follow, *loses;  // [node][lane]
-    alignas(64) double flux[W];       // up into the surface node while it rests
+    alignas(64) double flux[W];       // up into the surface node at zero change
 };
 
-/// What the node under a node hands up to it.
+/// Contribution of the node below to the one above it.
 struct FromUnder {
-    alignas(64) double flux[W], slope[W];  // up into the node at rest, and −d/du
+    alignas(64) double flux[W], slope[W];  // up into the unchanged node, and −d/du
 };
 
-/// Of a link to an eliminated node.
+/// For a link to an eliminated node.
 void along_link(const EnthalpyLink& given, const NodeLaw& node, const double* t, const double* u,
                 const double* t_under, const double* bend_under, const double* offset,
                 const double* loses, FromUnder& from) {
@@ -89,9 +89,9 @@ void sweep_upward(const EnthalpySurface& s, const EnthalpyStage& e, Eliminated& 
     std::copy_n(from.flux, W, below.flux);
 }
 
-/// The other nodes follow. Adds up in which lanes nodes have halted at a bend.
+/// Substitution in the other nodes. Adds up the lanes in which nodes have halted at a kink.
 ///
-/// rest  [lane] potential of the surface node before it moved
+/// rest  [lane] potential of the surface node before its change
 void sweep_downward(const EnthalpyStage& e, const Eliminated& below, const double* rest,
                     bool halting, double* bent) {
     const EnthalpyColumn& c = e.column;

@@ -9,8 +9,8 @@ namespace diurna {
 
 inline constexpr std::size_t enthalpy_lanes = 8;
 
-/// The air over every lane, of one kind of surface [lane]. Value by value: loops that copy a whole
-/// AirFilm do not become vectors.
+/// The air over every lane, for one kind of surface [lane]. Value by value: loops that copy a whole
+/// AirFilm are not vectorised.
 struct LaneAir {
     using Lane = double[enthalpy_lanes];
     alignas(64) Lane temperature, neutral, instability, least;

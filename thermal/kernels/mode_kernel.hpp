@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-// A step of `lanes` facets in modes as plain arrays: what the loops compiled for each width of
-// vectors take (thermal/kernels/mode_loops.hpp). Nothing here allocates or throws.
+// A step of `lanes` facets in modes as plain arrays: arguments of the loops compiled for each
+// vector width (thermal/kernels/mode_loops.hpp). Nothing here allocates or throws.
 
-/// Facets in modes that go through the span together, in units of `lanes`: those that a shadow's
-/// edge passes in the same step are then enough to fill a vector.
+/// Facets in modes that are stepped through the span together, a multiple of `lanes`: enough that
+/// the facets passed by a shadow's edge in the same step fill a vector.
 inline constexpr std::size_t mode_lanes = 8 * lanes;
 
 /// Shared by all facets of a material over a step.
@@ -23,18 +23,18 @@ struct ModeCoefficients {
     double step;  // [s]
 };
 
-/// The air above that of a kernel's arguments, between which lanes at heights of their own have
-/// theirs: on the line, `up` of the way.
+/// The air at the upper height; lanes at heights between have interpolated values, at the fraction
+/// `up` from the arguments' air.
 struct AirAbove {
     const AirFilm *before = nullptr, *air = nullptr;  // null: all lanes have the arguments'
     double dew_point_before = 0.0, dew_point = 0.0;   // [K]
     const double* up = nullptr;                       // (lane) 0 to 1
 };
 
-/// The facets [lane]. `state` [mode][lane] lacks `to · drive` of the step before: it is added with
-/// the next step's own part, which saves a pass over the states.
+/// The facets [lane]. `state` [mode][lane] lacks `to · drive` of the previous step: it is added
+/// with the next step's part, which saves a pass over the states.
 struct ModeLanes {
-    double dew_point;                  // [K] of the air: the balance bends there
+    double dew_point;                  // [K] of the air: a kink of the balance
     const NaturalFilm* natural;        // of plates; unused for ground
     const double *heat_before, *heat;  // [W m⁻²] at the step's ends
     double *state, *temperature, *drive, *slope;
@@ -43,11 +43,11 @@ struct ModeLanes {
 
 struct ModeOutcome {
     int iterations = 0;    // of Newton's, the same for all lanes
-    bool halved = false;   // Newton swung, and the bracket was halved to its end
-    double closure = 0.0;  // surface balance less what the modes got, over the sum of its terms
+    bool halved = false;   // Newton oscillated, and the bracket was halved to its end
+    double closure = 0.0;  // surface balance minus the modes' flux, over the sum of its terms
 };
 
-/// A facet whose heat jumps within the step [lane]: where, and by how much.
+/// A facet whose heat input jumps within the step [lane]: when, and by how much.
 struct SplitLanes {
     std::size_t groups;  // of `split_lanes` lanes
     double dew_point_before, dew_point;
@@ -58,8 +58,9 @@ struct SplitLanes {
     double* to;                                   // scratch, like state
     AirAbove above{};
 };
-/// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it: what
-/// the true film differs from the modes' follows the surface, which runs fast at first.
+/// Lengths of the parts of a step after a jump of heat input, as shares of the
+/// remainder: the true film minus the modes' follows the surface, which changes
+/// fast.
 inline constexpr int parts_after_jump = 4;
 inline constexpr double part_after_jump[parts_after_jump + 1]{0.0, 0.04, 0.15, 0.45, 1.0};
 inline constexpr std::size_t split_lanes = 8, split_capacity = mode_lanes;
@@ -70,8 +71,8 @@ struct ModeKernel {
                            const ModeLanes&);
     bool (*split)(const AirFilm& before, const AirFilm& air, const ModeCoefficients&,
                   const SplitLanes&);
-    /// What both evaluate: emission, film and latent heat of `lanes` facets at their temperatures,
-    /// flux [W m⁻²] towards the surface and d(flux)/dT. radiation: ε σ [W m⁻² K⁻⁴].
+    /// Used by both: emission, film and latent heat of `lanes` facets at their temperatures, flux
+    /// [W m⁻²] towards the surface and d(flux)/dT. radiation: ε σ [W m⁻² K⁻⁴].
     void (*balance)(const AirFilm& air, const NaturalFilm* natural, double radiation,
                     const double* temperature, double* flux, double* slope);
 };

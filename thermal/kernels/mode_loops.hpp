@@ -6,20 +6,20 @@
 #include "materials/base/units.hpp"
 #include "thermal/kernels/balance_loops.hpp"
 
-// A whole step in modes, all facets at one pace, compiled once for each width of vectors as
-// thermal/kernels/balance_loops.hpp is.
+// A whole step in modes, the same step for all facets, compiled once for each vector width as
+// thermal/kernels/balance_loops.hpp.
 
 namespace diurna {
 
 namespace {
 
-/// Lanes on their way through a step: θ = a + drive / stiffness, and the balance at its end,
-/// flux + pull − b T = 0.
+/// Lanes within a step: θ = a + drive / stiffness, and the balance at its end, flux + pull − b T =
+/// 0.
 struct ModeWay {
     alignas(64) double a[lanes] = {}, pull[lanes], temperature[lanes], flux[lanes];
 };
 
-/// Modes decay over the step under the drive they set out with.
+/// Modes decay over the step under the drive at its start.
 [[gnu::always_inline]] inline void decay_modes(const ModeCoefficients& c, const ModeLanes& s,
                                                ModeWay& way) {
     for (std::size_t m = 0; m < c.modes; ++m) {
@@ -33,7 +33,7 @@ struct ModeWay {
     }
 }
 
-/// By halving the bracket to its end: where Newton swings.
+/// By halving the bracket to its end: if Newton oscillates.
 template <FilmKind Kind, bool Wet, class Air>
 void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, ModeWay& way) {
     Balance<lanes> at;
@@ -53,10 +53,10 @@ void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, Mo
     }
 }
 
-/// What changes with the air over a step: all lanes alike.
+/// Air of a step: the same for all lanes.
 struct SameStep {
     SameAir at;
-    double warmer_by, dew_point;  // [K] than before; where the balance bends
+    double warmer_by, dew_point;  // [K] than before; kink of the balance
     SameStep(const AirFilm& before, const AirFilm& after, const ModeLanes& s)
         : at{after},
           warmer_by(after.air_temperature - before.air_temperature),
@@ -66,7 +66,7 @@ struct SameStep {
         return {dew_point, at.air.air_temperature};
     }
 };
-/// Each lane by its height.
+/// Air of a step by the height of each lane.
 struct LaneStep {
     AirByLane<lanes> at;
     alignas(64) double warmer_by[lanes], dew_point[lanes];
@@ -90,7 +90,7 @@ struct LaneStep {
 template <FilmKind Kind, bool Wet, class Step>
 ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const ModeCoefficients& c,
                           const ModeLanes& s) {
-    // Values of its own, which no store through a pointer can change, let the loops become vectors.
+    // Copies, which no store through a pointer can change, so that the loops are vectorised.
     const Step air(before, given, s);
     const double radiation = c.emissivity * stefan_boltzmann, response = c.response;
     const double stiffness = 1.0 / response, film = c.film, reference = c.reference;
@@ -101,8 +101,8 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
 #pragma omp simd
     for (std::size_t l = 0; l < lanes; ++l) {
         way.pull[l] = stiffness * way.a[l] + base + s.heat[l];
-        // Newton starts where the surface would be if it went on as straight as it was, under what
-        // sun and air bring now.
+        // Newton starts at the linear extrapolation of the surface temperature, under the present
+        // sun and air.
         const double t = s.temperature[l], slope = s.slope[l];
         const double brought =
             s.heat[l] - s.heat_before[l] - (slope + 4.0 * radiation * t * t * t) * air.warmer(l);

@@ -7,14 +7,14 @@
 #include "thermal/column/step_weights.hpp"
 #include "thermal/kernels/balance_loops.hpp"
 
-// A step in modes in which each facet's heat jumps at an instant of its own, compiled once for each
-// width of vectors as thermal/kernels/balance_loops.hpp is.
+// A step in modes in which each facet's heat input jumps at its own instant, compiled once for each
+// vector width as thermal/kernels/balance_loops.hpp.
 
 namespace diurna {
 
 namespace {
 
-/// [K] of the last correction inside a step: what is left of it, 1e-4 K, decays to the step's end.
+/// [K] last correction inside a step: the error, 1e-4 K, decays to the step's end.
 constexpr double near_inside = 5e-2;
 
 /// A group of lanes in one part of its step.
@@ -25,8 +25,8 @@ struct SplitPart {
     alignas(64) double pull[split_lanes], b[split_lanes];  // flux + pull − b T = 0 is the balance
 };
 
-/// How long the part is and what it brings. Part 0 leads to the jump, the others from there to the
-/// step's end.
+/// Length of the part and its heat input. Part 0 ends at the jump, the others follow to the step's
+/// end.
 [[gnu::always_inline]] inline void enter_part(const ModeCoefficients& c, const SplitLanes& s,
                                               std::size_t first, int part, SplitPart& p) {
     const double step = c.step;
@@ -45,7 +45,7 @@ struct SplitPart {
     }
 }
 
-/// Modes decay over the part under the drive they set out with.
+/// Modes decay over the part under the drive at its start.
 [[gnu::always_inline]] inline void decay_part(const ModeCoefficients& c, const SplitLanes& s,
                                               std::size_t first, SplitPart& p) {
     alignas(64) double second[split_lanes];
@@ -94,7 +94,7 @@ struct SplitPart {
     }
 }
 
-/// Newton to `near` [K], or halving where it does not get there; whether it had to be halved.
+/// Newton to `near` [K], or halving if it does not converge; returns whether it was halved.
 template <FilmKind Kind, bool Wet, class Air, class Bend>
 [[gnu::always_inline]] inline bool settle_part(const Air& film_at, const Bend& bend_at,
                                                double radiation, double near, const SplitLanes& s,
@@ -139,7 +139,7 @@ template <FilmKind Kind, bool Wet, class Air, class Bend>
     return true;
 }
 
-/// Drives from the surface's temperatures, and their own part into the modes.
+/// Drives from the surface temperatures, and their part in the modes.
 [[gnu::always_inline]] inline void leave_part(const ModeCoefficients& c, const SplitLanes& s,
                                               std::size_t first, const SplitPart& p) {
     const double reference = c.reference;
@@ -155,7 +155,7 @@ template <FilmKind Kind, bool Wet, class Air, class Bend>
     }
 }
 
-/// The air of all lanes of a group, and of each by its height.
+/// The air of all lanes of a group, or of each by its height.
 struct SameSplit {
     SameAir at;
     double dew_point;  // [K]
@@ -184,7 +184,7 @@ template <FilmKind Kind, bool Wet, class Split>
 bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoefficients& c,
                  const SplitLanes& s, std::size_t first) {
     const double radiation = c.emissivity * stefan_boltzmann;
-    // Values of their own, which no store through a pointer can change.
+    // Copies, which no store through a pointer can change.
     const AirAbove& above = s.above;
     const double* const up = above.up ? above.up + first : nullptr;
     const Split from(before, above.before, s.dew_point_before, above.dew_point_before, up);

@@ -12,28 +12,28 @@ namespace diurna {
 struct SurfaceLanes {
     std::size_t count;
     const double* heat;          // absorbed sun, absorbed longwave and internal [W m⁻²]
-    const NaturalFilm* natural;  // of plates; unused for ground
+    const NaturalFilm* natural;  // of plates; not used for ground
     const double* a;             // [W m⁻²] of the column below (thermal/column/column.hpp)
     double b;                    // [W m⁻² K⁻¹]
     double reference;            // [K]
     double emissivity;
     double* temperature;  // in: a guess; out: the root [K]
-    double* flux;         // out: everything above the ground at the root [W m⁻²]
+    double* flux;         // out: net flux at the root, without the column [W m⁻²]
     double* slope;        // out: d(flux)/dT there [W m⁻² K⁻¹]
 };
 
 struct SurfaceCount {
     int iterations = 0;
-    std::size_t bisections = 0;  // lane-iterations in which Newton left the bracket
+    std::size_t bisections = 0;  // lane-iterations with Newton outside the bracket
 };
 
-/// Newton within the bracket 1 to 5000 K, all lanes until the last correction is below 1e-5 K
-/// (wet 1e-6, plates 1e-8) and has been applied; what is left goes with its square, below 1e-12 K.
-/// The equation has one root: every term falls with T but a stable film's tail, which conduction
-/// and radiation outweigh.
+/// Newton within the bracket 1 to 5000 K, all lanes until the last correction is below 1e-5 K (wet
+/// 1e-6, plates 1e-8) and has been applied; the error is of second order, below 1e-12 K. The
+/// equation has one root: every term decreases with T except for a stable film's tail, which is
+/// smaller than conduction and radiation.
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface);
 
-/// What a width of vectors offers.
+/// Functions for one vector width.
 struct SurfaceKernel {
     SurfaceCount (*solve)(const AirFilm&, const SurfaceLanes&);
 };

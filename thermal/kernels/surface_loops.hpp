@@ -8,21 +8,21 @@
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
-// The loops of the surface balance, compiled once for each width of vectors (kernels_avx2.cpp,
-// kernels_avx512.cpp); everything here belongs to the unit that includes it. The arithmetic of a
-// lane is the same in all of them but for which products the compiler fuses into sums: 4 ulp of
-// the terms (tests/thermal/vector_lanes_test.cpp).
+// The loops of the surface balance, compiled once for each vector width (kernels_avx2.cpp,
+// kernels_avx512.cpp); everything here is local to the unit that includes it. The arithmetic of a
+// lane is the same in all of them except which products the compiler fuses into sums: 4 ulp of the
+// terms (tests/thermal/vector_lanes_test.cpp).
 
 namespace diurna {
 
 namespace {
 
 constexpr double coldest = 1.0, hottest = 5000.0;  // [K] bracket
-constexpr int patience = 3;          // iterations before Newton has to halve its steps
-constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
+constexpr int patience = 3;                        // iterations before Newton must halve its steps
+constexpr int most_iterations = 80;                // bisection alone needs 53 to its last bit
 
-/// [K] of the last correction. Smooth ground squares what is left; where dew begins, and where a
-/// plate is as warm as the air, the balance has a bend.
+/// [K] of the last correction. For smooth ground the error is of second order; where dew begins,
+/// and where a plate has the air's temperature, the balance has a kink.
 template <FilmKind Kind, bool Wet>
 constexpr double settled_at = !on_ground<Kind> ? 1e-8
                               : Wet            ? 1e-6
@@ -31,7 +31,7 @@ constexpr double settled_at = !on_ground<Kind> ? 1e-8
 template <FilmKind Kind, bool Wet>
 SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
     constexpr double settled = settled_at<Kind, Wet>;
-    // Values of its own, which no store through a pointer can change, let the loop become vectors.
+    // Copies, which no store through a pointer can change, so that the loop is vectorised.
     const AirFilm air = given;
     const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
     const double* const heat = s.heat;
@@ -59,8 +59,8 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
             const double to = excess < 0.0 ? t : high[l];
             const double newton_step = excess / (b - slope);
             const double wanted = t + newton_step;
-            // Newton may swing about a bend for ever: between two points with the root in between
-            // it has to halve its steps, or the bracket is halved instead.
+            // Newton may oscillate about a kink for ever: between two points with the root in
+            // between it must halve its steps, or the bracket is halved instead.
             const double most = to - from < hottest / 2.0 ? steady_share * last_step[l] : hottest;
             double stray = std::abs(newton_step) > most + settled ? 1.0 : 0.0;
             stray = wanted < from - settled ? 1.0 : stray;
@@ -74,7 +74,7 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
             temperature[l] = next;
             flux_at[l] = flux + slope * (next - t);
             slope_at[l] = slope;
-            // A halved bracket says nothing of the root but that it lies inside.
+            // A halved bracket only shows that the root is inside.
             const double unsettled = stray > 0.0 ? to - from : step;
             correction = unsettled > correction ? unsettled : correction;
             outliers += stray;

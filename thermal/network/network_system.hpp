@@ -14,17 +14,17 @@ namespace diurna {
 struct NetworkState {
     std::vector<double> node;  // facet by facet, outer end first
     std::vector<double> lump;
-    std::vector<double> edge;  // follow from the others; a guess
+    std::vector<double> edge;  // derived from the others; a guess
 };
 
-/// A linearised implicit stage of a network, J δ = r, node by node eliminated: what is left is one
-/// equation for each edge and lump, solved by conjugate gradients (by stabilised bi-conjugate ones
-/// where streams make it unsymmetric). Before them goes the Cholesky factor of an earlier stage of
-/// about the same slopes: four iterations where the diagonal alone takes forty on a truck's sheets.
+/// A linearised implicit stage of a network, J δ = r, with the nodes eliminated: one equation
+/// remains for each edge and lump, solved by conjugate gradients (stabilised bi-conjugate gradients
+/// if streams make it unsymmetric). The preconditioner is the Cholesky factor of an earlier stage
+/// with similar slopes: four iterations where the diagonal takes forty on a truck's sheets.
 class NetworkSystem {
  public:
     explicit NetworkSystem(const HeatNetwork& network);
-    NetworkSystem(const NetworkSystem&) = delete;  // what it gives knows whose it is
+    NetworkSystem(const NetworkSystem&) = delete;  // Given holds a reference to it
     NetworkSystem& operator=(const NetworkSystem&) = delete;
 
     std::size_t nodes() const { return first_.back(); }
@@ -37,8 +37,8 @@ class NetworkSystem {
         return std::span(network_.touch).subspan(touch_[f], touch_[f + 1] - touch_[f]);
     }
 
-    /// What facets give their edges and lumps, so that many threads may work on facets: each puts
-    /// it down in places of its own, added up in a fixed order.
+    /// Contributions of facets to their edges and lumps, so that threads can process facets in
+    /// parallel: each writes to separate places, which are summed in a fixed order.
     class Given {
      public:
         explicit Given(const NetworkSystem& system);
@@ -70,7 +70,7 @@ class NetworkSystem {
         std::vector<double> edge_, lump_;  // (place), (block, lump)
     };
 
-    /// What an implicit stage asks of each facet's ends, at the present temperatures.
+    /// Coefficients of each facet's ends for an implicit stage, at the present temperatures.
     struct Ends {
         std::span<const double> outer_slope, inner_slope;  // (facet) d(flux)/dT [W m⁻² K⁻¹]
         std::span<const double> to_star;  // (facet) [W m⁻² K⁻¹] σ R (T² + T*²)(T + T*)
@@ -78,15 +78,15 @@ class NetworkSystem {
     /// tau  [s] of the stage
     void factorise(double tau, const Ends& ends);
 
-    /// What is missing from each equation [W].
+    /// Residual of each equation [W].
     struct Residual {
         std::vector<double> node, edge, lump;
     };
-    /// residual → δ [K] in its place. Returns the iterations.
+    /// residual → δ [K], in place. Returns the iterations.
     int solve(Residual& residual, double relative_error);
 
  private:
-    /// A facet without its nodes: inverse of their matrix between its ends [K W⁻¹].
+    /// A facet with its nodes eliminated: inverse of their matrix between its ends [K W⁻¹].
     struct Condensed {
         double outer, across, inner;
         std::array<double, behinds> to;  // [W K⁻¹] its lumps
@@ -96,23 +96,23 @@ class NetworkSystem {
     void find_places();
     void condense(std::size_t f, double tau, const Ends& ends);
     void apply(const std::vector<double>& x, std::vector<double>& y);
-    /// Factors what is left as it is now.
+    /// Factorises the remaining matrix.
     void prepare();
     int conjugate_gradients(const std::vector<double>& b, std::vector<double>& x, double error);
     int stabilised(const std::vector<double>& b, std::vector<double>& x, double error);
 
     const HeatNetwork& network_;
     std::vector<std::size_t> first_;  // (facet + 1) node
-    std::vector<std::size_t> touch_;  // (facet + 1) its first
-    /// (edge + 1), and whose: places of Given where facets put down what is the edge's.
+    std::vector<std::size_t> touch_;  // (facet + 1) first touch
+    /// (edge + 1), and owner: places of Given where facets write the edge's contributions.
     std::vector<std::uint32_t> first_place_, place_;
     double tau_ = 1.0;
     std::vector<double> pivot_;    // (node) of the columns' elimination from the inner end outward
     std::vector<double> follows_;  // (node) δ of it per δ of the node before it
     std::vector<Condensed> facet_;
     std::vector<double> lump_own_;  // [W K⁻¹] C/τ
-    SparseFactor factor_;           // of what was left
-    double factored_tau_ = 0.0;     // [s] then; 0: none, or outworn
+    SparseFactor factor_;           // of the remaining matrix
+    double factored_tau_ = 0.0;     // [s] at factorisation; 0: none, or outdated
     Given given_;
 };
 

@@ -15,7 +15,7 @@ namespace diurna {
 /// A column fitted to a measured curve.
 struct CalibrationReport {
     Calibration asked;
-    std::vector<Instant> when;     // of what was measured within the span
+    std::vector<Instant> when;     // instants of the measured values within the span
     std::vector<double> measured;  // [K]
     std::size_t beyond = 0;        // rows before or after the span, skipped
     std::size_t missing = 0;       // empty cells
@@ -24,15 +24,15 @@ struct CalibrationReport {
     bool heat_converged = true;  // of every column that was run
 };
 
-/// The column as it is, with settings "key=value" in place of what it says.
+/// The column, with settings "key=value" in place of the file's values.
 using ColumnWith = std::function<PointJob(const std::vector<std::string>& more)>;
 
-/// Finds the numbers that [calibrate] of a column file asks for, by runs of the column that differ
-/// in them. Between rows of the result (time.step_s) temperatures are straight. Throws InputError
-/// for what cannot be: a file without [calibrate], numbers that change nothing, a curve of fewer
-/// values than numbers, bounds at which the column cannot be read.
+/// Fits the numbers listed in [calibrate] of a column file, by runs of the column with different
+/// values. Temperatures are linear between rows of the result (time.step_s). Throws InputError for
+/// an invalid problem: a file without [calibrate], numbers without effect, a curve of fewer values
+/// than numbers, bounds at which the column cannot be read.
 ///
-/// - file: to tell of mistakes
+/// - file: name for messages
 CalibrationReport calibrate(const std::string& file, const ColumnWith& column_with);
 /// - settings: "key=value" given on the command line
 CalibrationReport calibrate(const std::filesystem::path& file,

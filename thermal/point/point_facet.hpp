@@ -13,73 +13,73 @@
 
 namespace diurna {
 
-/// What reaches a facet at one instant, whatever its own state answers.
+/// Inputs of a facet at one instant that do not depend on its own state.
 struct PointForcing {
-    AirState air;  // as the surface meets it
+    AirState air;  // the air at the surface
     double wind_speed = 1.0;
     double rain_mm_h = 0.0;
     double sunlight = 0.0;         // [W m⁻²] incident
-    double own_light = 0.0;        // [W m⁻²] the same from ground like itself, per unit albedo
-    double albedo = not_measured;  // measured, in place of the material's
+    double own_light = 0.0;        // [W m⁻²] from ground of its own kind, per unit albedo
+    double albedo = not_measured;  // measured; replaces the material's
     double longwave_in = 0.0;      // [W m⁻²] irradiance from sky and other facets
-    double own_view = 0.0;         // of ground as warm as the facet itself, 0 to 1
+    double own_view = 0.0;         // of ground at the facet's own temperature, 0 to 1
 };
 
-/// A facet and how it is stepped. `surface`, `louis` and `knot` must outlive the PointFacet.
+/// A facet and its stepping. `surface`, `louis` and `knot` must outlive the PointFacet.
 struct PointSetup {
     const ThermalSurface& surface;
     const LouisForm& louis;
     double up_cosine = 1.0;     // of its normal
-    FilmPart part{};            // to the wind
+    FilmPart part{};            // shape for the wind
     double wind_height = 10.0;  // [m]
-    double utc_offset = 0.0;    // [s] that the clock of schedules is ahead of UTC
-    double reference = 290.0;   // [K] a temperature near those to come
+    double utc_offset = 0.0;    // [s] clock of schedules ahead of UTC
+    double reference = 290.0;   // [K] near the expected temperatures
     GridOptions grid{};
     double longest_step = 600.0;      // [s]
     double tolerance = 0.002;         // [K] per step, from step doubling
-    std::span<const Instant> knot{};  // ascending; no step passes over one
+    std::span<const Instant> knot{};  // ascending; no step crosses one
     std::function<PointForcing(Instant)> forcing;
-    /// [W m⁻²] absorbed sun and longwave of a plate's back; none: that of surroundings as warm as
-    /// the air.
+    /// [W m⁻²] absorbed sun and longwave of a plate's back; none: that of surroundings at the air's
+    /// temperature.
     std::function<double(Instant)> behind{};
-    bool wet_behind = false;  // it evaporates as the front does, but for water that stands there
+    bool wet_behind = false;  // evaporates as the front does, without standing water
 };
 
-/// Of snow before it has aged: the material's own, or that of what falls on it.
+/// Of fresh snow: the material's own, or that of snowfall on it.
 double new_snow_albedo(const ThermalSurface& surface);
 
-/// A facet that needs more than a linear column and a dry or evenly wet surface, on its way through
-/// the weather: the column's state, what stands on it, and how it steps. The point tool's engine,
-/// and the facet solver's where a material asks for it (thermal/solve/point_facets.hpp).
+/// A facet that needs more than a linear column and a dry or evenly wet surface, stepped through
+/// the weather: the column's state, the water and snow on it, and the step control. Used by the
+/// point tool, and by the facet solver for materials that need it (thermal/solve/point_facets.hpp).
 class PointFacet {
  public:
     explicit PointFacet(PointSetup setup);
 
-    /// Steps of SDIRK2 twice over its halves; once over its whole, for the error it is chosen by.
-    /// Returns the heat that melted snow or frost [J m⁻²]. `steps` takes down the steps chosen;
-    /// `map` carries the linearised span along. Throws std::runtime_error, which says when, where
-    /// the equations ask for so many steps that no end is in sight.
+    /// Steps of SDIRK2, each as two halves, and once as a whole for the error estimate. Returns the
+    /// heat that melted snow or frost [J m⁻²]. `steps` receives the chosen steps; `map` is
+    /// multiplied by the linearised span. Throws std::runtime_error with the instant if the
+    /// equations need too many steps.
     double advance(Instant from, Instant to, std::vector<double>* steps = nullptr,
                    Eigen::MatrixXd* map = nullptr);
-    /// The same steps again.
+    /// Repeats the same steps.
     void repeat(Instant from, const std::vector<double>& steps, Eigen::MatrixXd& map);
-    /// The span in steps of `longest_step`, their error unchecked: a third of the work. `restart`
-    /// begins with 10 s, for after a jump; a step whose equations are not solved is halved.
+    /// The span in steps of `longest_step`, without error control: a third of the time. `restart`
+    /// begins with 10 s, for use after a jump; a step that does not converge is halved.
     void march(Instant from, Instant to, bool restart, Eigen::MatrixXd* map = nullptr);
-    /// [K] the largest of any node since the column's state was `start`.
+    /// [K] the largest change of any node since the state `start`.
     double change_since(const std::vector<double>& start) const;
     /// Moves the state by (I − map)⁻¹ times the change since `start`: Newton on the periodic map.
     /// Returns the largest move [K].
     double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
     void keep_in_bounds();
-    /// Snow as old as at the beginning: before a span is gone through again.
+    /// Resets snow to its initial age, before a span is repeated.
     void renew_snow() { snow_albedo_ = new_snow_albedo(setup_.surface); }
     double snow_albedo() const { return snow_albedo_; }
     void set_snow_albedo(double albedo) { snow_albedo_ = albedo; }
-    /// Takes over the state of a facet of the same column, and how long its steps were.
+    /// Takes over state and step length of a facet with the same column.
     void go_on_from(const PointFacet& other);
 
-    /// What the last step met at its end, and what its column took there [W m⁻²].
+    /// Conditions at the end of the last step, and the flux into its column there [W m⁻²].
     struct Ending {
         SurfaceTerms terms{};
         double taken = 0.0;
@@ -92,24 +92,24 @@ class PointFacet {
     struct Count {
         long long steps = 0, rejected = 0;
         int limited = 0;
-        /// Steps that no halving solved: nothing moved in them; and when the first began.
+        /// Steps that did not converge at any length and were skipped; and the first of them.
         int unsolved = 0;
         Instant first_unsolved{};
-        /// |stored − in| over the magnitudes of all fluxes times the step and of what the nodes
-        /// gained or lost; of any step.
+        /// |stored − in| over the sum of the magnitudes of all fluxes times the step and of the
+        /// nodes' gains and losses; the largest of any step.
         double worst_closure = 0.0;
     };
 
     NonlinearColumn column;
     std::vector<double> u;  // (node), see NonlinearColumn
     Standing standing;
-    WaterCount water;  // since it was made
+    WaterCount water;  // since construction
     Count count;
 
  private:
-    /// All that a step changes.
+    /// All state that a step changes.
     struct State {
-        std::vector<double> u{}, rest{};  // (node) and what its doubles do not hold
+        std::vector<double> u{}, rest{};  // (node) and its part below double precision
         Standing standing;
         WaterCount water;
         StoreRates rates;  // of the last step
@@ -134,8 +134,8 @@ class PointFacet {
     StoreFlows flows_of(const std::array<SurfaceConditions, 2>& conditions, const Taken& taken,
                         const Lying& lying, bool gentle) const;
     void age_snow(const Taken& taken, double snow, State& state) const;
-    /// A step that may be taken: its halves, where they lead, and how far the whole leads
-    /// elsewhere.
+    /// A possible step: its two halves, their result, and its difference from the whole
+    /// step.
     struct Trial {
         Taken first, second;
         State whole, middle, end;
@@ -153,16 +153,16 @@ class PointFacet {
     PointSetup setup_;
     double next_step_ = 0.05;   // [s]
     double next_march_ = 10.0;  // [s]
-    long long tried_ = 0;       // steps of advance(), good or not
-    double granted_ = 0.0;      // for the spans it has gone through
+    long long tried_ = 0;       // steps of advance(), accepted or not
+    double granted_ = 0.0;      // limit for the spans so far
     StoreRates rates_;          // of the last step
     std::vector<double> rest_;  // (node) of u
     StoreCapacity capacity_;
-    double snow_albedo_;  // of snow that ages, or lies on the store
+    double snow_albedo_;  // of ageing snow, or of snow on the store
     Ending ending_;
 };
 
-/// The grid of a point's column: fine enough for a minute's shock, and never cut off.
+/// The grid of a point's column: fine enough for a one-minute shock, and never cut off.
 GridOptions point_grid(const ThermalSurface& surface);
 
 }  // namespace diurna

@@ -12,9 +12,9 @@
 
 namespace diurna {
 
-/// What went before the span: nothing (the given start), its first day over and over, or itself.
-/// The first day is repeated without the trend of its air and sky from end to end: a front that
-/// came through is that day's weather and no other's.
+/// History before the span: none (the given start), its first day repeated, or the span itself. The
+/// first day is repeated without the trend of its air and sky from end to end, because the change
+/// due to a weather front belongs to that day only.
 enum class SpinUp { none, first_day, periodic };
 
 /// A temperature in the ground.
@@ -23,15 +23,15 @@ struct SoilPoint {
     double temperature;  // [K]
 };
 
-/// One facet under a series of weather: what a column file says
+/// One facet under a series of weather: the content of a column file
 /// (thermal/point/point_job_file.hpp).
 struct PointJob {
     Site site;
     double elevation = 0.0;   // [m] above the sea
     double slope_deg = 0.0;   // 0 to 180
-    double aspect_deg = 180;  // the way it faces, clockwise from north
-    double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself, at its temperature
-    double height = 0.0;      // [m] above the ground, of a part in the wind; 0: as the wind's
+    double aspect_deg = 180;  // direction it faces, clockwise from north
+    double sky_view = 1.0;    // 0 to 1; the rest is ground of its own kind, at its temperature
+    double height = 0.0;      // [m] above the ground, for the wind; 0: as the wind's
     ThermalSurface surface;
     Weather weather;
     ClearSky clear_sky;
@@ -42,7 +42,7 @@ struct PointJob {
     double longest_step = 600.0;                // of the integration [s]
     double tolerance = 0.002;                   // [K] per step, from step doubling
     double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
-    /// Ground at the start, for SpinUp::none: straight between ascending depths, constant beyond.
+    /// Ground at the start, for SpinUp::none: linear between ascending depths, constant outside.
     std::vector<SoilPoint> initial_profile;
     double depth = 0.0;  // [m] of PointRow::depth_temperature, within the column's nodes
     std::optional<Calibration> calibrate{};  // for thermal/point/calibrate.hpp alone

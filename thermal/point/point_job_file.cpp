@@ -100,6 +100,15 @@ void forget_albedo(const std::string& measured_over, const std::string& material
              weather);
 }
 
+/// Throws InputError, in one line, for a scene: its keys would give a mistake each.
+void refuse_scene(const std::filesystem::path& file, const Confines& confines) {
+    const Section root = Document::from_file(file, confines).root();
+    if (!root.has("terrain") && !root.has("observer")) return;
+    if (root.has("facet")) return;
+    throw InputError(file.string(), "is a scene, expected a column file",
+                     fmt::format("for a scene use diurna run {}", file.string()));
+}
+
 bool rains(const Weather& weather) {
     return std::any_of(weather.sample.begin(), weather.sample.end(),
                        [](const Forcing& f) { return f.rain_mm_h > 0.0; });
@@ -181,7 +190,9 @@ PointJob read_column_job(const Document& document) {
 
 PointJob read_column_job(const std::filesystem::path& file, bool allow_outside,
                          const std::vector<std::string>& settings) {
-    Document document = Document::from_file(file, confines_of(file, allow_outside));
+    const Confines confines = confines_of(file, allow_outside);
+    refuse_scene(file, confines);
+    Document document = Document::from_file(file, confines);
     for (const std::string& setting : settings) document.set(setting);
     return read_column_job(document);
 }

@@ -10,13 +10,13 @@
 namespace diurna {
 
 /// Reads a column file (TOML; scenes/KEYS.md lists its keys) and its weather. Throws InputError
-/// with every mistake: file:line:column, what was expected, the nearest key. The files it names lie
-/// within its confines (materials/base/confines.hpp).
+/// with every mistake: file:line:column, the expected value, the nearest key. The files it names
+/// must be within its confines (materials/base/confines.hpp).
 ///
-/// - settings: "key=value" in place of what the file says
+/// - settings: "key=value", replace values of the file
 PointJob read_column_job(const std::filesystem::path& file, bool allow_outside = false,
                          const std::vector<std::string>& settings = {});
-/// The same of a document, which is finished.
+/// The same for a document, for which it calls finish().
 PointJob read_column_job(const Document& document);
 
 }  // namespace diurna

@@ -9,15 +9,15 @@
 
 namespace diurna {
 
-/// What a job's weather sends to its facet: sun and sky as it sees them, and air as it meets it.
-/// The job must outlive it.
+/// Inputs of a job's facet from its weather: sun and sky on its plane, and air at its height. The
+/// job must outlive it.
 class PointWeather {
  public:
     explicit PointWeather(const PointJob& job);
 
     double up_cosine() const { return normal_.z(); }  // of the facet's normal
     PointForcing operator()(Instant when);
-    /// One line of what was modelled for want of measurements; or empty.
+    /// One line on quantities modelled because they were not measured; or empty.
     const std::string& note() const { return series_.weather().note; }
 
  private:
@@ -25,7 +25,7 @@ class PointWeather {
     SkySeries series_;
     SunPath sun_;
     Eigen::Vector3d normal_;
-    double rain_share_;  // of rain on level ground, what falls on it
+    double rain_share_;  // share of rain on level ground that falls on it
     OpenSky open_{};
     double tilted_ = 0.0;  // tilted_sky_excess
 };

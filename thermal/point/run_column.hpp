@@ -16,26 +16,26 @@ struct PointRow {
     double surface_temperature;  // [K]
     double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
     double back_temperature;    // [K]
-    double ground_temperature;  // [K] under a canopy; else the surface
+    double ground_temperature;  // [K] below a canopy; else the surface
     double leaf_temperature;    // [K] of a canopy
-    double water_mm, frost_mm;  // standing on the surface
-    double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
+    double water_mm, frost_mm;  // on the surface
+    double melt;  // heat that melts snow or frost, mean since the previous row [W m⁻²]
     double depth_temperature;  // [K] at PointJob::depth
 };
 
 struct PointResult {
     std::vector<PointRow> row;  // at start, start + step, ... end
-    WaterCount water;           // over the span, without its spin-up
+    WaterCount water;           // over the span, without spin-up
     bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
-    std::string note;                   // what was modelled for want of measurements
+    std::string note;                   // quantities modelled because not measured
     int passes = 0;                     // of the spin-up
     double periodic_residual = 0.0;     // [K] worst node after a pass of it
-    double standing_residual = 0.0;     // [mm] of water and frost, likewise
+    double standing_residual = 0.0;     // [mm] of water and frost, the same
     bool converged = true;              // both within their tolerances
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
     long long steps = 0, rejected = 0;
-    /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
-    /// because the equations were not solved or the error stayed too large. Zero in normal use.
+    /// Steps with backward Euler at the shortest step, because the equations did not converge or
+    /// the error stayed too large. Zero in normal use.
     int limited = 0;
     std::vector<double> depth, final_profile;  // (node) [m], ascending, the first 0; [K]
 };

@@ -7,16 +7,15 @@
 
 namespace diurna {
 
-/// Heights at which a solve computes air and sky; facets in between have theirs on the straight
-/// line, so that what they get goes on without a step from one facet to a higher one. Under a lapse
-/// tiers lie 200 m apart at most: pressure is off by 1e-4 of itself, vapour by 7e-4 (4e-3 where
-/// saturation sets in); under a profile 50 m, and a kink of its temperature is off by a quarter of
-/// its bend times that.
+/// Heights at which a solve computes air and sky; facets in between have interpolated values, so
+/// that they change without a step from one facet to a higher one. With a lapse rate, tiers are at
+/// most 200 m apart: pressure is off by a relative 1e-4, vapour by 7e-4 (4e-3 where saturation
+/// begins); with a profile 50 m, and a kink of its temperature is off by a quarter of its change of
+/// slope times that.
 struct AirTiers {
-    std::vector<double> height;  // (tier) [m] above the sea; one: all have the station's air
-    std::vector<std::uint16_t>
-        low;                   // (facet) tier at its height or below; empty where there is one
-    std::vector<float> share;  // (facet) of the way to the next tier, 0 to 1
+    std::vector<double> height;      // (tier) [m] above the sea; one: the station's air for all
+    std::vector<std::uint16_t> low;  // (facet) tier at its height or below; empty if there is one
+    std::vector<float> share;        // (facet) fraction of the way to the next tier, 0 to 1
 
     bool flat() const { return height.size() == 1; }
     std::size_t size() const { return height.size(); }

@@ -8,26 +8,26 @@
 
 namespace diurna {
 
-/// What the lanes of a block take in from sun, terrain, inside and sky, step by step and substep by
-/// substep [W m⁻²]: straight between the steps' ends but for jumps of sunlight.
+/// Heat input of the lanes of a block from sun, terrain, interior and sky, by step and substep [W
+/// m⁻²]: linear over each step except for jumps of sunlight.
 class BlockHeat {
  public:
     /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes;
-    /// backs: theirs.
+    /// backs: their backs.
     BlockHeat(const SolveState& solve, const Level& level, const Block& block, std::size_t filled,
               bool backs = false);
 
-    /// The step that ends at instant i.
+    /// Begins the step that ends at instant i.
     void begin_step(std::size_t i);
-    /// Its substep s, which ends at a time of the material's forcing; `at_start` takes over
-    /// `at_end`.
+    /// Begins its substep s, which ends at a time of the material's forcing; `at_start` takes the
+    /// values of `at_end`.
     void begin_substep(int s, std::size_t time);
     void end_step();
 
-    /// The jumps of sunlight in the step, and by how much they raise a lane's heat.
+    /// The jumps of sunlight in the step, and their size in a lane's heat.
     std::span<const HeatJump> edges() const { return edges_; }
     double jump(std::size_t lane) const { return jump_[lane]; }
-    /// The same without the sky, with its jumps drawn out over the step.
+    /// The same without the sky, with its jumps spread over the step.
     double straight(std::size_t lane, double share) const {
         return before_[lane] + share * (after_[lane] - before_[lane]);
     }

@@ -7,14 +7,14 @@
 
 namespace diurna {
 
-/// Temperatures below a facet, on the straight line between depths, those at the ends beyond.
+/// Temperatures below a facet, linear between depths, constant outside.
 struct DepthProfile {
     std::vector<double> depth;   // [m] ascending
     std::vector<double> kelvin;  // of each
     double at(double metres) const;
 };
 
-/// What a block's state at the start of the span means below one of its facets.
+/// Temperatures below one facet from a block's state at the start of the span.
 DepthProfile profile_at_start(const Kind& kind, const Block& block, std::size_t lane);
 
 }  // namespace diurna

@@ -11,11 +11,11 @@
 
 namespace diurna {
 
-/// The faces of a target that hot gas blows over (NetworkObject::jet): their film is the gas's
-/// where it is larger than the air's, and what the gas brings comes to them whatever the film.
+/// The faces of a target in a hot gas stream (NetworkObject::jet): their film is the gas's if it is
+/// larger than the air's, and the gas's heat is received with either film.
 class BlownFaces {
  public:
-    /// Must outlive it.
+    /// The object must outlive it.
     explicit BlownFaces(const NetworkObject& object);
 
     bool none() const { return face_.empty(); }
@@ -32,13 +32,13 @@ class BlownFaces {
     };
     std::vector<Face>& faces() { return face_; }
     const std::vector<Face>& faces() const { return face_; }
-    /// The one of a network's facet, no_number where nothing blows.
+    /// Index of a network facet's face; no_number if no gas blows on it.
     std::uint32_t of(std::uint32_t facet, bool back) const;
 
-    /// What runs in the mean from an instant to a later one.
+    /// Mean running share from an instant to a later one.
     void run(Instant from, Instant to);
     bool any_runs() const;
-    /// What a face gets beyond the air's film [W m⁻²], and d/dT.
+    /// Heat flux of a face beyond the air's film [W m⁻²], and d/dT.
     ///
     /// lump  (lump) [K]
     SurfaceFlux beyond_air(const Face& face, const AirFilm& air, const std::vector<double>& lump,

@@ -8,17 +8,16 @@
 
 namespace diurna {
 
-/// Of rain and snow on level open ground, what falls on a facet: straight down, past what stands
-/// above; on what is in flight nothing.
+/// Share of rain and snow on level open ground that falls on a facet: vertically, reduced by what
+/// is above it; zero for facets in flight.
 double rain_on(const SolveState& solve, std::size_t facet);
 
-/// What one facet of a solve meets at any instant: sun, sky and neighbours straight between the
-/// instants of the steps, but for the jumps of sunlight at shadows' edges.
+/// Inputs of one facet of a solve at any instant: sun, sky and neighbours, linear between the
+/// instants of the steps, except for the jumps of sunlight at shadows' edges.
 class FacetForcing {
  public:
-    /// weather  at the solve's instants; without it only sunlight, longwave and what falls are
-    /// reported.
-    ///          The solve must outlive this
+    /// weather  at the solve's instants; without it only sunlight, longwave and precipitation are
+    ///          available. The solve must outlive this
     FacetForcing(const SolveState& solve, std::vector<Forcing> weather, const Block& block,
                  std::size_t lane);
 
@@ -31,17 +30,17 @@ class FacetForcing {
     double behind(std::size_t i, double share) const {
         return std::lerp(behind_[i], behind_[i + 1], share);
     }
-    /// Of rain on level open ground, what falls on it.
+    /// Share of rain on level open ground that falls on it.
     double rain() const { return rain_share_; }
 
-    /// Whether there is air behind it, and what its back absorbs of sun and longwave [W m⁻²].
+    /// Whether it has a back in air, and the sun and longwave absorbed by it [W m⁻²].
     bool has_back() const { return !behind_.empty(); }
-    /// Whether that back is a facet of the scene: a sheet's. In a closed mesh it is none.
+    /// Whether that back is a facet of the scene: a sheet's. In a closed mesh it is not.
     bool has_other_side() const { return other_side_; }
     double behind(Instant when) const;
     bool wet_behind() const { return wet_behind_; }
 
-    /// Where its sunlight jumps, ascending.
+    /// Instants of its sunlight's jumps, ascending.
     const std::vector<Instant>& edges() const { return edge_; }
 
  private:

@@ -10,31 +10,31 @@
 
 namespace diurna {
 
-/// A facet of a solve that needs more than its block gives it (thermal/solve/point_facets.hpp).
+/// A facet of a solve that needs more than its block provides (thermal/solve/point_facets.hpp).
 struct FacetPoint {
     std::size_t facet, block, lane;
     bool begun = false;
     HeatState::Point start, end;
-    std::vector<float> kelvin{}, excess{};  // (instant) of the last run; what it ran under
-    std::vector<float> back_kelvin{}, back_excess{};  // the same of its back, if it has one
-    std::vector<SurfaceCover> cover{};  // (instant) of the last run; none: it holds no water
-    double residual = 0.0, move = 0.0;  // [K]
+    std::vector<float> kelvin{}, excess{};            // (instant) of the last run; its input
+    std::vector<float> back_kelvin{}, back_excess{};  // the same for its back, if it has one
+    std::vector<SurfaceCover> cover{};                // (instant) of the last run; empty: no water
+    double residual = 0.0, move = 0.0;                // [K]
     int passes = 0;
     PointFacet::Count count{};
     double water_closure = 0.0;     // [kg m⁻²] of the last run
-    bool store_held = false;        // what lies at the start is no longer that of the end
-    double store_growth = 0.0;      // [mm] by which what lies has changed over the last pass
-    bool alternates = false;        // passes are averaged: no start leads back to itself
-    double earlier_residual = 1e9;  // [K] at the end of the last run of passes
+    bool store_held = false;        // the store at the start is no longer the end's
+    double store_growth = 0.0;      // [mm] change of the store over the last pass
+    bool alternates = false;        // passes are averaged: no start repeats
+    double earlier_residual = 1e9;  // [K] at the end of the previous run of passes
 };
 
-/// What lies on a facet at the start of the next pass of a periodic span: what the pass before has
-/// left. Where hoar or snow grows or melts on from day to day no repeated day exists for it, and
-/// what `most_store_days` days have left is held as the start; temperatures then have a period.
+/// Water and snow on a facet at the start of the next pass of a periodic span: those at the end of
+/// the pass before. If hoar or snow grows or melts from day to day, no periodic day exists, and the
+/// amount after `most_store_days` days is fixed as the start; temperatures then have a period.
 ///
-/// stood    what lay at the start of the last pass
-/// left     what lay at its end; becomes the next start
-/// returns  whether the store at the start is settled
+/// stood    amount at the start of the last pass
+/// left     amount at its end; becomes the next start
+/// returns  whether the store at the start has converged
 inline bool next_store(FacetPoint& p, const Standing& stood, Standing& left) {
     constexpr int most_store_days = 8;
     constexpr double settled = 1e-3;  // [mm]
@@ -48,9 +48,9 @@ inline bool next_store(FacetPoint& p, const Standing& stood, Standing& left) {
     return false;
 }
 
-/// After a run of passes that found no repeated day: whether passes are averaged from now on. In
-/// calm nights a surface may have two balances, and where the day before decides which, days
-/// alternate; Newton's steps then lead to and fro for ever.
+/// After a run of passes without a periodic day: whether passes are averaged from now on. In calm
+/// nights a surface may have two balances, and if the previous day decides between them, days
+/// alternate; Newton's steps then oscillate without end.
 inline void note_alternating(FacetPoint& p) {
     constexpr int enough_passes = 24;
     p.alternates =
@@ -58,13 +58,13 @@ inline void note_alternating(FacetPoint& p) {
     p.earlier_residual = p.residual;
 }
 
-/// The facet that is a point's back; none: the facet itself.
+/// The facet that is a point's back; without one the facet itself.
 inline std::size_t back_of_point(const SolveState& solve, const FacetPoint& point) {
     const Block& block = solve.block[point.block];
     return block.behind.empty() ? point.facet : block.behind[point.lane];
 }
 
-/// Writes down under what of the neighbours' heat a point runs.
+/// Stores the neighbours' longwave under which a point runs.
 inline void note_excess(const SolveState& solve, FacetPoint& p, bool has_back) {
     if (solve.excess.empty()) return;
     p.excess.resize(solve.instant.size());
@@ -76,8 +76,8 @@ inline void note_excess(const SolveState& solve, FacetPoint& p, bool has_back) {
     }
 }
 
-/// The grid of a point's column: a surface whose water freezes halts at every node the front
-/// crosses.
+/// The grid of a point's column: coarser for freezing water, because the front halts at every
+/// node.
 GridOptions grid_of_point(const ThermalSurface& surface, GridOptions grid);
 
 }  // namespace diurna

@@ -6,15 +6,15 @@
 
 namespace diurna {
 
-/// A material, and whether all its longwave stays with it: what sees nothing but its own like
-/// neither loses any nor takes any in, however warm it is.
+/// A material, and whether it exchanges longwave only with itself: a facet that sees only its own
+/// kind has no net exchange at any temperature.
 struct KindOf {
     MaterialId material;
     bool closed;
 };
 
-/// Cuts the facets into blocks of one kind, and by height and by what is above them where that
-/// makes a difference. Returns the kinds in the order of Block::material.
+/// Divides the facets into blocks of one kind, and by height and by the sky above if that matters.
+/// Returns the kinds in the order of Block::material.
 std::vector<KindOf> group_by_material(SolveState& solve);
 
 }  // namespace diurna

@@ -11,18 +11,18 @@
 
 namespace diurna {
 
-/// The heat balance of every facet at some of a solve's instants, taken down by the last pass as
-/// its steps end.
+/// The heat balance of every facet at some of a solve's instants, recorded in the last pass at the
+/// end of its steps.
 class HeatRecord {
  public:
     /// steps  indices of the instants, ascending
     HeatRecord(const SolveState& solve, const std::vector<std::size_t>& steps);
 
     bool wants(std::size_t i) const { return row_[i] >= 0; }
-    /// Of one facet at instant i. From different threads for different facets.
+    /// For one facet at instant i. From different threads for different facets.
     ///
-    /// balance  all of it, `conducted` too
-    /// melting  [W m⁻²] taken by melting frost
+    /// balance  with all terms, `conducted` too
+    /// melting  [W m⁻²] used by melting frost
     void put(std::size_t i, std::size_t facet, const HeatBalance& balance, double melting = 0.0);
 
     const HeatFluxField& field() const { return field_; }
@@ -32,23 +32,23 @@ class HeatRecord {
     std::vector<long> row_;  // (instant) of the field, or −1
 };
 
-/// What a block's surfaces meet at the end of a step.
+/// Conditions of a block's surfaces at the end of a step.
 struct BlockSurfaces {
     AirOver air;
     const double* heat;               // [lane] absorbed sun and longwave, internal [W m⁻²]
     const double* temperature;        // [lane] [K]
-    std::span<const double> taken{};  // [lane] by the columns below [W m⁻²]; none: at the start of
-                                      // a run, where they take what the surface gives
+    std::span<const double> taken{};  // [lane] into the columns [W m⁻²]; empty: at the start of
+                                      // a run, where it equals the surface flux
 };
-/// Takes down a block's balance at instant i, if that is wanted.
+/// Records a block's balance at instant i, if requested.
 void record_block(SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
                   const BlockSurfaces& surfaces);
-/// That of the back of a facet that is solved as a point.
+/// Records that of the back of a facet solved as a point.
 ///
 /// absorbed  [W m⁻²] of sun and longwave
 void record_point_back(const SolveState& solve, const Kind& kind, const Block& block,
                        std::size_t lane, std::size_t i, double absorbed, double kelvin);
-/// That of its backs likewise; the column takes what they give.
+/// Records that of a block's backs; the column receives their flux.
 void record_backs(SolveState& solve, const Block& block, std::size_t i,
                   const BlockSurfaces& surfaces);
 

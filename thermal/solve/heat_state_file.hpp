@@ -9,27 +9,27 @@
 
 namespace diurna {
 
-/// Whose heat a state is: another scene's may not be gone on from. Both are texts that say the same
-/// of the same scene; what they hold is the writer's to choose.
+/// Identifies the scene of a state: a solve cannot continue from another scene's. Both texts are
+/// equal for equal scenes; their content is chosen by the writer.
 struct StateOwner {
-    std::string mesh;                  // of facets and which of them share a material
-    std::vector<std::string> columns;  // what lies below each material, "name: ..."
+    std::string mesh;                  // of facets, and facets that share a material
+    std::vector<std::string> columns;  // layers of each material, "name: ..."
 };
 
-/// A state and when it was.
+/// A state and its instant.
 struct TimedState {
     Instant instant{};
     HeatState state{};
 };
 
-/// Writes netCDF, every number as it is: a whole file or none. Throws std::runtime_error with path
+/// Writes netCDF with full precision: a whole file or none. Throws std::runtime_error with path
 /// and reason.
 void save_heat_state(const std::filesystem::path& file, const TimedState& state,
                      const StateOwner& owner);
 
-/// Reads what save_heat_state wrote. Throws InputError, one line, if the file is missing, no such
-/// file, holds numbers that are not finite or is of another owner (which it names: the mesh, or a
-/// material's layers).
+/// Reads a file of save_heat_state. Throws InputError, one line, if the file is missing, of another
+/// format, holds numbers that are not finite or has another owner (it names the difference: the
+/// mesh, or a material's layers).
 TimedState load_heat_state(const std::filesystem::path& file, const StateOwner& owner);
 
 }  // namespace diurna

@@ -5,19 +5,19 @@
 
 namespace diurna {
 
-/// Fills the solve's sunlight at every instant: sun, sky and what facets reflect, with what lies on
-/// them (SolveState::changing).
+/// Computes the solve's sunlight at every instant: sun, sky and reflections, with the snow and
+/// water on the facets (SolveState::changing).
 void add_sunlight(SolveState& solve);
-/// What lay on facets at the span's start, if it goes on from another: their first guess
-/// throughout.
+/// Water and snow on facets at the span's start, if it continues from another span: their first
+/// guess for all instants.
 void take_earlier_water(SolveState& solve);
-/// Shines anew if what lies on facets is no longer what sunlight went by. Returns the largest
-/// change of what any facet takes in, dry [W m⁻²]; 0 where nothing reflects light onto anything.
+/// Recomputes sunlight if snow and water on facets have changed. Returns the largest change of
+/// absorbed light on any facet, dry [W m⁻²]; 0 if no facet receives reflected light.
 double relight(SolveState& solve, const CoveredFacets& water);
-/// Sunlight that jumps at the shadows' edges: what falls on the facet with the sun's whole disc
-/// less what falls on it with none, times the change of the share.
+/// Jumps of sunlight at the shadows' edges: incident light with the whole disc of the sun minus
+/// that without it, times the change of the share.
 void find_jumps(SolveState& solve);
-/// What each facet sees of a sky brighter towards the horizon, where any instant's is.
+/// Each facet's view of the sky's horizon brightening, if any instant has one.
 std::vector<float> tilts(const SolveState& solve);
 
 }  // namespace diurna

@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// How one facet goes through a span of even steps: from its start and from each jump of its
-/// sunlight with a step of 5 s that grows, in halves where a step's equations are not solved.
+/// Step control of one facet over a span of even steps: from its start and from each jump of its
+/// sunlight with a step of 5 s that grows; steps that do not converge are halved.
 class LaneClock {
  public:
     struct Jump {
@@ -21,12 +21,12 @@ class LaneClock {
     double from() const { return now_; }
     double to() const { return end_[depth_]; }  // shares of the step
     double duration() const { return (to() - from()) * length_; }
-    /// Halves are no cure any more.
+    /// Further halving is not possible.
     bool gentle() const { return depth_ == deepest; }
 
-    /// What was tried from `from` to `to` has failed.
+    /// The part from `from` to `to` did not converge: halves it.
     void halve();
-    /// It is done; true where a step ends.
+    /// The part converged; true at the end of a step.
     bool go_on();
     bool at_end() const { return i_ == steps_; }
 

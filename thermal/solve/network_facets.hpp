@@ -9,50 +9,50 @@
 
 namespace diurna {
 
-/// The targets of a scene (SolveInput::network): each a network that is stepped as a whole, with
-/// the sun, sky and neighbours of its facets, in place of the blocks, which only guess how these
-/// start. Steps of SolveOptions::step, five minutes at most, second order; sunlight that jumps
-/// within a step counts by its mean. Rain and dew are not followed on them.
+/// The targets of a scene (SolveInput::network): each is a network that is stepped as a whole, with
+/// the sun, sky and neighbours of its facets; the blocks only provide a first guess of its start.
+/// Steps of SolveOptions::step, five minutes at most, second order; sunlight that jumps within a
+/// step counts by its mean. Without rain and dew.
 class NetworkFacets {
  public:
     explicit NetworkFacets(const SolveState& solve);
 
-    /// After a pass of the blocks: runs all whose surroundings have changed, and puts their
-    /// temperatures in the solve's, those of the level's instants.
+    /// After a pass of the blocks: runs all networks whose surroundings have changed, and stores
+    /// their temperatures in the solve, at the level's instants.
     void pass(SolveState& solve, const Level& level);
-    /// [W m⁻²] by which neighbours' heat has changed since the last run, at most.
+    /// [W m⁻²] largest change of neighbours' heat since the last run.
     double moved() const;
-    /// Their temperatures once more, where neighbours have moved the solve's since.
+    /// Stores their temperatures again, after updates by neighbours.
     void put(SolveState& solve) const;
 
-    /// Begins with what another solve has left of the same targets.
+    /// Starts from the end state of another solve of the same targets.
     void set_out_from(const std::vector<std::vector<double>>& left);
     std::vector<std::vector<double>> left() const;
 
     struct Summary {
         double residual = 0.0;  // [K] |P(T) − T|
-        double error = 0.0;     // [K] that neighbours' heat since the last run is worth
+        double error = 0.0;     // [K] effect of the neighbours' changes since the last run
         double worst_closure = 0.0;
         int limited = 0;
-        std::string first_limited{};  // its target
+        std::string first_limited{};  // target with the first limited step
         std::size_t facets = 0;
     };
     Summary summary() const;
-    /// Whether another pass would change nothing that counts.
+    /// Whether another pass would change nothing significant.
     bool at_rest() const;
 
  private:
     struct Target {
         const NetworkObject* object;
-        std::size_t level = 1, stride = 1;           // of the last run, and of its own steps
-        bool rough = false;                          // these were longer than they have to be
+        std::size_t level = 1, stride = 1;           // of the last run, and of its steps
+        bool rough = false;                          // these were longer than necessary
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
-        std::vector<float> excess{};         // (instant of that, facet, side) under which it ran
-        std::vector<double> start{}, end{};  // [K] nodes, then lumps
-        double residual = 0.0;               // [K] |P(T) − T|
-        double move = 0.0;                   // [K] of the start after it
+        std::vector<float> excess{};                 // (instant of that, facet, side) input
+        std::vector<double> start{}, end{};          // [K] nodes, then lumps
+        double residual = 0.0;                       // [K] |P(T) − T|
+        double move = 0.0;                           // [K] of the start after it
         NetworkCount count{};
-        bool closed = false;  // to the last digit, as the last run has to be
+        bool closed = false;  // to full precision, as required for the last run
     };
     void run(const Level& level, Target& target) const;
     void march(NetworkSurroundings& around, NetworkStepper& stepper, NetworkPeriod& period,

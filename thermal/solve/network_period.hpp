@@ -6,19 +6,19 @@
 
 namespace diurna {
 
-/// The start of a period from one that was tried and what came of it. To first order a span P takes
-/// what a start is off by, e, to M e, M = exp(−λ P) along each way in which the network cools; what
-/// is missing at its end is M (1 − M)⁻¹ of the change. That is about 1 / (λP (1 + λP / 2)): two
-/// solves of the network under its mean slopes, at rest and with a step of P / 2. What is left is
-/// a twelfth of e at most, at λP of 2 to 3, and a thousandth where it takes weeks: no other start
-/// has to be known, so that neighbours may change from span to span.
+/// The start of a period from a trial start and its result. To first order a span P changes the
+/// error e of a start into M e, M = exp(−λ P) for each decay mode of the network; the missing part
+/// at its end is M (1 − M)⁻¹ of the change. That is about 1 / (λP (1 + λP / 2)): two solves of the
+/// network under its mean slopes, steady and with a step of P / 2. The remaining error is at most a
+/// twelfth of e, at λP of 2 to 3, and a thousandth for decay over weeks: no other start is needed,
+/// so neighbours may change from span to span.
 class NetworkPeriod {
  public:
-    /// Must outlive it.
+    /// The network must outlive it.
     explicit NetworkPeriod(const HeatNetwork& network);
 
     void begin();
-    /// A step has been taken.
+    /// Adds the slopes of a step.
     void add(const NetworkStepper& stepper);
     /// start, end  [K] nodes, then lumps
     /// span        [s]

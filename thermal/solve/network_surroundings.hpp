@@ -11,38 +11,39 @@
 
 namespace diurna {
 
-/// What a target's facets meet over a span: air, sun, sky, neighbours, its own sources.
+/// Inputs of a target's facets over a span: air, sun, sky, neighbours, its own sources.
 class NetworkSurroundings {
  public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     ///
-    /// stride  instants of the solve from step to step: the level's, or a multiple
+    /// stride  instants of the solve per step: the level's, or a multiple
     NetworkSurroundings(const SolveState& solve, const Level& level, const NetworkObject& object,
                         std::size_t stride);
 
-    /// Instants of steps, i of which is SolveState's i × stride.
+    /// Number of steps; the end of step i is SolveState's instant i × stride.
     std::size_t steps() const { return solve_.steps() / stride_; }
     std::size_t instant(std::size_t i) const { return i * stride_; }
 
-    /// What step i brings in its part s of `parts`. Steps are asked for one after the other; it
-    /// holds until the next is.
+    /// Inputs of part s of `parts` of step i. Steps must be requested in order; the result is valid
+    /// until the next call.
     NetworkForcing of_part(std::size_t i, int s, int parts);
-    /// What the span brings in its mean: instants' light and air, sources by their hours.
+    /// Mean inputs over the span: light and air at the instants, sources by their hours.
     NetworkForcing of_mean();
-    /// [K] of the air in the span's mean.
+    /// [K] mean air temperature of the span.
     double mean_air() const { return outdoors_.back(); }
 
-    /// A march sets out; it has come to the start of step i at such temperatures of its facets'
-    /// ends [K]: what its faces send one another goes by them until the next.
+    /// begin(): an integration starts. at(): it has reached step i with these
+    /// temperatures of its facets' ends [K], which determine its faces' exchange until
+    /// the next call.
     void begin() { own_.begin(); }
     void follow(std::size_t i, const std::vector<double>& outer, const std::vector<double>& inner) {
         own_.at(instant(i), outer, inner);
     }
-    /// Longwave of neighbours that it goes by at such an instant [W m⁻²]: of all outer faces, then
-    /// of the other sides.
+    /// Neighbours' longwave at an instant [W m⁻²]: of all outer faces, then of the other
+    /// sides.
     void excess(std::size_t i, std::vector<float>& all) const;
 
-    /// Takes down the balances of all faces at the level's instant i, if that is wanted.
+    /// Records the balances of all faces at the level's instant i, if requested.
     ///
     /// outer, inner  (network's facet) [K] temperatures of the ends
     /// lump          (lump) [K]
@@ -54,7 +55,7 @@ class NetworkSurroundings {
     struct Group {
         std::size_t kind;  // Level::kind
         bool inner, wet;
-        bool in_air = false;  // surroundings as warm as the air
+        bool in_air = false;  // surroundings at the air's temperature
         double emissivity, absorptance;
         double internal = 0.0;               // [W m⁻²] of the material's own, at outer ends
         std::vector<std::uint32_t> face{};   // the network's facets
@@ -66,7 +67,7 @@ class NetworkSurroundings {
         std::size_t step;
         std::uint32_t face;
         bool inner;
-        double heat;  // [W m⁻²] that the step's mean has more than its ends tell
+        double heat;  // [W m⁻²] mean of the step minus the mean of its ends
     };
     void add(std::size_t face, std::size_t kind, bool inner, std::vector<Group>& groups);
     void sort_faces();
@@ -98,8 +99,8 @@ class NetworkSurroundings {
     std::vector<std::vector<double>> panes_;  // (NetworkObject::sunlit)(instant, mean) [W] through
     static constexpr std::size_t no_step = ~std::size_t{0};
     std::size_t step_ = no_step, next_jump_ = 0;
-    std::size_t first_ = 0, last_ = 0;          // instants between which the step lies
-    double from_ = 0.0, to_ = 1.0;              // of the step, the part on its way
+    std::size_t first_ = 0, last_ = 0;          // instants around the step
+    double from_ = 0.0, to_ = 1.0;              // the current part of the step
     Instant begin_{}, end_{};                   // of that part
     std::vector<double> before_[2], after_[2];  // (end)(facet) [W m⁻²] absorbed at the step's ends
 };

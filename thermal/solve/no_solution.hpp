@@ -8,16 +8,16 @@
 
 namespace diurna {
 
-/// Throws std::runtime_error where the balance of the span's mean has no solution: nor has a span
-/// that repeats.
+/// Throws std::runtime_error if the mean balance of the span has no solution: then a periodic span
+/// has none either.
 void check_mean_balance(const SolveState& solve);
 
-/// Throws std::runtime_error, which names facet, material and instant, where a temperature of a
-/// solve is no number: what neighbours sent it for then is none of theirs either.
+/// Throws std::runtime_error with facet, material and instant if a temperature of a solve is not a
+/// number (its neighbours' longwave is then invalid too).
 void check_numbers(const SolveState& solve);
 
-/// In words a facet, its material and an instant whose balance has no solution from 1 to 5000 K, or
-/// a target's; "" where all has one.
+/// Names a facet, its material and an instant whose balance has no solution from 1 to 5000 K, or a
+/// target; "" if all have one.
 std::string without_solution(const SolveState& solve, const PointFacets::Summary& points,
                              const NetworkFacets::Summary& targets);
 

@@ -8,19 +8,20 @@
 
 namespace diurna {
 
-/// The longwave that a target's faces send one another, while it marches: what they send otherwise
-/// than when their neighbours' excess (SolveState::excess) was last found. A march that led where
-/// the one before did finds nothing; what is left to the passes is what goes by way of others.
+/// Longwave exchange between a target's own faces during its integration: the difference from the
+/// state in which the neighbours' excess (SolveState::excess) was last computed. It is zero if the
+/// integration repeats the previous one; exchange by way of other facets is left to the passes.
 class OwnLongwave {
  public:
-    /// Both must outlive it. Nothing where facets do not exchange.
+    /// Both must outlive it. Zero if facets do not exchange.
     OwnLongwave(const SolveState& solve, const NetworkObject& object);
 
     void begin();
-    /// Follows on to an instant, at which a facet's ends are so warm [K], one reflection further.
+    /// Moves on to an instant, with its facets' ends so warm [K]; adds one
+    /// reflection.
     void at(std::size_t instant, const std::vector<double>& outer,
             const std::vector<double>& inner);
-    /// [W m⁻²] that falls on a facet's outer face, or its other side, beyond the excess.
+    /// [W m⁻²] on a facet's outer face, or its other side, in addition to the excess.
     double on(std::size_t n, bool inner) const {
         return arrives_.empty() ? 0.0 : arrives_[inner ? place_of_back_[n] : n];
     }

@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// One pass over the span for all blocks that have not settled: writes their temperatures, changes
-/// and surface slopes.
+/// One pass over the span for all blocks that have not converged: stores their temperatures,
+/// changes and surface slopes.
 void pass(SolveState& solve, const Level& level, double progress_from, double progress_to);
 
 }  // namespace diurna

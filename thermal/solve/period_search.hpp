@@ -4,19 +4,19 @@
 
 namespace diurna {
 
-/// A facet's search for the state that a span leads back to.
+/// Search for a facet's periodic state.
 ///
-/// By Newton on the slowest deviations of the column alone, what is quicker follows by itself
+/// Newton only on the slowest deviations of the column; faster ones converge by repeated spans
 /// (Lust, Roose, Spence & Champneys 1998, SIAM J. Sci. Comput. 19, 1188).
 struct PeriodSearch {
     double residual = 1e9;  // [K, or of a node's water] largest change over the last span
-    double move = 1e9;      // the same of the start
-    bool plain = false;     // the last start was the end before
+    double move = 1e9;      // the same for the start
+    bool plain = false;     // the last start was the previous end
 };
 
 /// The next start, (node), after a span from `start` to `end`.
 ///
-/// map  (node, k) what became of the deviations PointColumn::slow of the start
+/// map  (node, k) result of the deviations PointColumn::slow of the start
 Eigen::VectorXd next_start(const PointColumn& column, const Eigen::VectorXd& start,
                            const Eigen::VectorXd& end, const Eigen::MatrixXd& map,
                            PeriodSearch& search);

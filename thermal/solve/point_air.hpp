@@ -8,13 +8,13 @@
 namespace diurna {
 
 /// Air and its film over one kind of surface at a solve's instants, by slices of eight metres of
-/// height: 26 mK of air from a slice's middle, which it is taken at, to its ends.
+/// height, each with the air at its middle: 26 mK off at its ends.
 class PointAir {
  public:
-    /// All must outlive this.
+    /// All arguments must outlive this.
     ///
     /// weather    at the solve's instants
-    /// sheltered  ground that a share of the wind reaches
+    /// sheltered  ground with a reduced wind
     PointAir(const SolveState& solve, const Kind& kind, const std::vector<Forcing>& weather,
              bool sheltered)
         : solve_(solve), kind_(kind), weather_(weather), sheltered_(sheltered) {}

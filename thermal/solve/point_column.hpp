@@ -6,18 +6,18 @@
 
 namespace diurna {
 
-/// What all points of one material share that are stepped side by side.
+/// Data shared by all points of one material that are stepped in lanes.
 struct PointColumn {
     NonlinearColumn column;
     EnthalpyColumn plain;
     /// The slowest deviations of the column, (node, k), orthonormal in heat; `weight` = C · slow.
-    /// Empty where the span does not repeat.
+    /// Empty if the span is not periodic.
     Eigen::MatrixXd slow, weight;
 };
 PointColumn point_column(const SolveState& solve, const MaterialColumn& material);
 
-/// Whether a surface's points may be stepped side by side (thermal/steppers/enthalpy_batch.hpp):
-/// all but leaves, regolith and schedules.
+/// Whether a surface's points can be stepped in lanes (thermal/steppers/enthalpy_batch.hpp): all
+/// except leaves, regolith and schedules.
 bool in_lanes(const ThermalSurface& surface);
 
 }  // namespace diurna

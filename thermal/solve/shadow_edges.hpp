@@ -7,29 +7,29 @@
 
 namespace diurna {
 
-/// Fills `fraction` (facet) with the share in the sun at an instant for the chosen facets, and
-/// leaves the others as they are: `sun_fraction` of terrain/visibility/view_factors.hpp, or what
-/// stands for it.
+/// Computes `fraction` (facet), the share in the sun at an instant, for the chosen facets; the
+/// others are unchanged: `sun_fraction` of terrain/visibility/view_factors.hpp, or a
+/// replacement.
 using SunFractionAt =
     std::function<void(Instant, std::span<const std::uint32_t> chosen, std::span<float> fraction)>;
 
 struct EdgeSearch {
-    float least_change = 0.4f;  // of the share between two instants that counts as an edge
-    double tolerance = 5.0;     // [s]: 5 s late are 0.1 K and less a minute after the edge
+    float least_change = 0.4f;  // of the share between two instants, for an edge
+    double tolerance = 5.0;     // [s]: 5 s cause 0.1 K and less a minute after the edge
 };
 
-/// Edges of a day before and of one after, at the same hours: where a facet has one within a step
-/// on both, that of the day in between is looked for on the line between them first. They ascend by
-/// step and facet, as find_edges leaves them.
+/// Edges of an earlier and of a later day, at the same hours: if a facet has one within a step on
+/// both, the edge of the day in between is first searched at the interpolated time. In ascending
+/// order of step and facet, as from find_edges.
 struct EdgesAround {
     std::span<const ShadowEdge> before{}, after{};
-    double share = 0.0;     // of the way from the day before to that after
-    float furthest = 0.5f;  // of a step between the two, for that to be tried
+    double share = 0.0;     // fraction of the way from the earlier day to the later
+    float furthest = 0.5f;  // of a step between the two, for this to be tried
 };
 
-/// Fills sun.edge: when, within each step, a facet's share in the sun passes the middle of what it
-/// was and what it will be, by halving the step. Facets whose shares agree at both ends are not
-/// asked: a shadow that comes and goes within one step stays unseen.
+/// Computes sun.edge: when, within each step, a facet's share in the sun passes the mean of its
+/// values at both ends, by bisection. Facets with equal shares at both ends are skipped: a shadow
+/// that comes and goes within one step is not detected.
 void find_edges(SunExposure& sun, const SunFractionAt& fraction_at, const EdgeSearch& search = {},
                 const EdgesAround& around = {});
 

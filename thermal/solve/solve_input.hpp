@@ -21,39 +21,38 @@
 
 namespace diurna {
 
-/// How the columns are stepped. `modes`: a few exponential modes per material, exact in time but
-/// for the surface's curvature, split where a shadow's edge passes
-/// (thermal/steppers/mode_batch.hpp); thin plates likewise with two faces
-/// (thermal/steppers/plate_batch.hpp). `layered`: node by node
-/// (thermal/steppers/layered_step.hpp), the reference; it follows edges too.
+/// How the columns are stepped. `modes`: a few exponential modes per material, exact in time except
+/// for the surface's nonlinearity, with steps split at a shadow's edge
+/// (thermal/steppers/mode_batch.hpp); thin plates similarly with two faces
+/// (thermal/steppers/plate_batch.hpp). `layered`: node by node (thermal/steppers/layered_step.hpp),
+/// the reference; also with edges.
 enum class Method { modes, layered };
 
 struct SolveOptions {
     Instant start{};
     double duration = 86400.0;   // [s]
-    double step = 600.0;         // [s]; the last step ends with the span, all are equally long
-    double keep_every = 3600.0;  // [s] between kept instants, rounded to whole steps
-    bool periodic = true;        // the span repeats for ever; else it starts from SolveInput::from,
+    double step = 600.0;         // [s]; all steps are equally long and end with the span
+    double keep_every = 3600.0;  // [s] between stored instants, rounded to whole steps
+    bool periodic = true;        // the span repeats; else it starts from SolveInput::from,
                                  // or from its mean balance
-    bool goes_on = false;        // other spans follow: what is slower than this one is kept
-    int max_passes = 12;         // over the span; twice as many while they bring it nearer
+    bool goes_on = false;        // other spans follow: slower modes are retained
+    int max_passes = 12;         // over the span; twice as many while they converge
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
-    double settled =
-        0.01;  // [K] that neighbours' heat may still be worth at the end; 0.05 where water lies
+    double settled = 0.01;       // [K] final effect of neighbours' changes; 0.05 with water
     Method method = Method::modes;
     double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
     GridOptions grid{};         // of layered columns
-    int refinement = 1;         // divides every step, forcing as it was: reports a result's error
+    int refinement = 1;         // divides every step, with the same inputs: for error estimates
     bool exchange = true;       // light and heat from one facet to another
-    /// Steps whose instants' heat balance is wanted, ascending. One more pass takes it down, and
-    /// the temperatures are that pass's.
+    /// Steps whose instants' heat balance is requested, ascending. It is recorded in an additional
+    /// pass, which also gives the temperatures.
     std::vector<std::size_t> heat_at{};
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
-    /// Called likewise after each pass that leaves something: which it was, what is left and where.
+    /// Called similarly after each pass that has not converged: pass, residual and where.
     std::function<void(const std::string&)> tell{};
 };
 
-/// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.
+/// The instants between steps, at which sun exposure is needed: first `start`, last its end.
 std::vector<Instant> step_instants(const SolveOptions& options);
 
 /// Where a shadow's edge crosses a facet between two instants.
@@ -62,13 +61,13 @@ struct ShadowEdge {
     float share;                // of the step, 0 to 1
 };
 
-/// Share of each facet that the sun reaches at each step's instant
-/// (terrain/visibility/view_factors.hpp). Between the instants it runs straight, or jumps at the
-/// edge if there is one (thermal/solve/shadow_edges.hpp finds them).
+/// Share of each facet in the sun at each step's instant (terrain/visibility/view_factors.hpp).
+/// Linear between the instants, or with a jump at the edge if there is one (from
+/// thermal/solve/shadow_edges.hpp).
 struct SunExposure {
     std::vector<Instant> instant;    // = step_instants(options)
-    std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow
-    std::vector<ShadowEdge> edge{};  // one at most for each step and facet
+    std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: no shadows
+    std::vector<ShadowEdge> edge{};  // at most one per step and facet
 };
 
 struct SolveInput {
@@ -78,35 +77,36 @@ struct SolveInput {
     const MaterialLibrary& materials;
     const Weather& weather;
     Site site;
-    double utc_offset = 0.0;  // [s] that the clock of materials' schedules is ahead of UTC
+    double utc_offset = 0.0;  // [s] clock of materials' schedules ahead of UTC
     double elevation = 0.0;   // [m] above the sea, of the weather
-    /// From there (its `station` is `elevation`) to the facets; null: all have the weather's air.
+    /// Air from the weather's height (its `station` is `elevation`) to the facets'; null:
+    /// uniform.
     const AirByHeight* by_height = nullptr;
     std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's
-    std::vector<FilmPart> part{};  // (facet) to the wind; empty: of unknown size, in the open
-    /// Of the facets the last so many, which others do not see: what they are has no say in what
-    /// others are, to the last bit. Of no target.
+    std::vector<FilmPart> part{};  // (facet) for wind; empty: of unknown size, in the open
+    /// Number of last facets that do not affect others: the results of the others are bitwise
+    /// independent of them. Not part of a target.
     std::size_t beside = 0;
-    std::vector<NetworkObject> network{};  // targets whose facets conduct from one to the next
-    /// (facet) share of what falls straight down that nothing above keeps off it; empty: all.
+    std::vector<NetworkObject> network{};  // targets with conduction between facets
+    /// (facet) share of the vertical precipitation that is not kept off from above; empty: all 1.
     std::vector<float> open_above{};
     ClearSky clear_sky{};
-    /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
-    /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.
+    /// (material) factor from the measured ratio of upward to downward light to its albedo: 1 for
+    /// the material below the instrument; 0: the material's own albedo. Empty: all 0.
     std::vector<double> measured_share{};
-    const FacetViews* sunlight_views = nullptr;  // where panes let other light pass than heat
+    const FacetViews* sunlight_views = nullptr;  // if panes transmit light unlike heat
     const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
-    /// With `from`: temperatures at as many instants to guess those of the span by, such as the day
-    /// before's; null: those of the start throughout.
+    /// With `from`: temperatures at the same number of instants as a first guess for the span, such
+    /// as the previous day's; null: the start's at all instants.
     const TemperatureField* guess = nullptr;
 };
 
 /// SolveInput::measured_share of a material.
 double measured_share(const SolveInput& input, MaterialId material);
-/// The albedo that a sky measured of such a material, 0 to 1; NaN where it did not.
+/// The albedo of such a material measured at a sky, 0 to 1; NaN if not measured.
 double measured_albedo(const SkyState& sky, double share);
 
-/// Throws InputError where arrays do not match each other or the options.
+/// Throws InputError if arrays do not match each other or the options.
 void check(const SolveInput& input, const SolveOptions& options);
 
 }  // namespace diurna

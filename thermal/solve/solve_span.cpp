@@ -270,8 +270,8 @@ void from_the_weather_before(int days, Walk& walk) {
     repeat_day(first, walk);
     go_on(first, options.start, false, walk);
     go_on(options.start, options.end, true, walk);
-    walk.result.start = fmt::format("weather of {} day{} before, the first one repeated", days,
-                                    days == 1 ? "" : "s");
+    walk.result.start = fmt::format("from {} day{} of earlier weather, the first one repeated",
+                                    days, days == 1 ? "" : "s");
 }
 
 void from_a_repeated_day(Walk& walk) {

@@ -9,70 +9,70 @@
 
 namespace diurna {
 
-/// What went before a span.
+/// History before a span.
 enum class SpanStart {
-    known,     // the weather where the series has a day of it, else periodic
-    weather,   // the days before it, as the weather reports; the first of them repeated
-    periodic,  // its first 24 hours, or the 24 before it, again and again without their trend
-    steady,    // the balance of its first day's means, for ever
+    known,     // the weather if the series has a day of it, else periodic
+    weather,   // the days before it from the weather; the first of them repeated
+    periodic,  // its first 24 hours, or the 24 before it, repeated without their trend
+    steady,    // the balance of its first day's means, constant
     state,     // SpanOptions::from
 };
 
-/// The days of a span one after the other, each stepped as `day` says but for its start, duration
-/// and whether it repeats.
+/// The days of a span in sequence, each stepped as `day` says except for its start, duration and
+/// periodicity.
 struct SpanOptions {
     SolveOptions day{};
     Instant start{}, end{};
     SpanStart begin = SpanStart::known;
     int days_before = 3;              // at most, of SpanStart::weather
-    std::vector<Instant> wanted{};    // ascending, within the span: when temperatures are kept
+    std::vector<Instant> wanted{};    // ascending, within the span: temperatures are stored
     bool heat = false;                // and heat balances
     const HeatState* from = nullptr;  // of SpanStart::state: the heat at the start
-    bool goes_on = false;  // another span follows from SpanResult::end: what is slower than a day
-                           // is kept
+    bool goes_on = false;  // another span continues from SpanResult::end: modes slower than a day
+                           // are retained
 };
 
-/// Whole days of weather that a series has before an instant; negative where it begins later.
+/// Whole days of weather in a series before an instant; negative if it begins later.
 int days_known_before(const Weather& weather, Instant when);
 
-/// The share of each facet that the sun reaches at each of some instants.
+/// The share of each facet in the sun at each of some instants.
 using ExposureOf = std::function<SunExposure(const std::vector<Instant>& instants)>;
 
-/// What a span's facets see and meet from an instant on, until the next stage: the same facets of
-/// the same materials, some of them in other places.
+/// Views and surroundings of a span's facets from an instant to the next stage: the same facets of
+/// the same materials, some of them moved.
 struct SpanStage {
     Instant from;
     const SolveInput& input;
     ExposureOf exposure;
-    bool early = false;  // at `from` itself all is still as in the stage before
+    bool early = false;  // at `from` itself the stage before still applies
 };
 
 struct SpanResult {
-    TemperatureField temperature;  // at the wanted instants, straight between steps
-    SolveReport report;    // of all days: sums of passes, steps and seconds, worst of all else
-    bool repeated = true;  // the day that repeats was found, if one had to be
-    double repeated_error = 0.0;       // [K] SolveReport::estimated_error of it alone
-    std::string start;                 // in one line: how the start was found
-    std::vector<std::string> notes{};  // in a line each: what else is to be known of it
-    HeatState end{};                   // of the span, where it goes on
-    HeatFluxField heat{};  // at the wanted instants, straight between steps; if asked for
+    TemperatureField temperature;  // at the requested instants, linear between steps
+    SolveReport report;    // of all days: sums of passes, steps and seconds, worst of the rest
+    bool repeated = true;  // the periodic day converged, if one was needed
+    double repeated_error = 0.0;       // [K] SolveReport::estimated_error of that day
+    std::string start;                 // how the start was computed, in one line
+    std::vector<std::string> notes{};  // one line each, for the report
+    HeatState end{};                   // end of the span, if it continues
+    HeatFluxField heat{};  // at the requested instants, linear between steps; if requested
 };
 
-/// Temperatures of all facets over any span. A day is solved at a time, the next goes on from the
-/// heat that it leaves, and no more than a day and the wanted instants are held. Where the first
-/// day repeats (thermal/weather/repeated_day.hpp) and none is known before, it is found by Newton
-/// and is the span's own.
+/// Temperatures of all facets over any span. One day is solved at a time, the next continues from
+/// its end state, and only a day and the requested instants are in memory. If the first day repeats
+/// (thermal/weather/repeated_day.hpp) and no earlier one is known, it is computed by Newton and is
+/// part of the span.
 ///
-/// A start costs: weather, as many days as go before and a periodic one; periodic, one day, none
-/// where the first day repeats. Throws InputError as solve() does.
+/// Cost of a start: weather, the preceding days plus a periodic one; periodic, one day, none if the
+/// first day repeats. Throws InputError as solve() does.
 ///
-/// Where there are stages, what went before the span is that of the first, and a piece ends with
-/// each: heat goes on, facet by facet.
+/// With stages, the history before the span is that of the first stage, and a part of the span ends
+/// at each: the heat continues, facet by facet.
 ///
-/// - stages: one or more, ascending; the first counts from for ever
+/// - stages: one or more, ascending; the first has no beginning
 SpanResult solve_span(std::span<const SpanStage> stages, const SpanOptions& options);
 
-/// - input: its `sun` and `from` are left aside
+/// - input: its `sun` and `from` are not used
 SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
                       const SpanOptions& options);
 

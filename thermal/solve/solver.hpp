@@ -25,23 +25,23 @@ struct SolveResult {
 ///
 /// Method::modes (thermal/column/reduced_column.hpp): each material's linear column as a few
 /// exponential modes, stepped exactly for fluxes linear in time. Method::layered, the reference:
-/// SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of thermal/column/column.hpp. Forcing
-/// is linear between step instants; materials too thin for the step are stepped more often. The
+/// SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of thermal/column/column.hpp.
+/// Inputs are linear between step instants; materials too thin for the step take substeps. The
 /// surface equation is solved by Newton together with the column: layered within a bracket, to
-/// 1e-12 K; in modes without one, to 1e-9 K, and by halving a bracket to its last bit where ten
-/// steps did not do. A periodic span is found by Newton on the period map, begun on steps of an
+/// 1e-12 K; in modes without one, to 1e-9 K, and by bisection to the last bit if ten steps do not
+/// converge. A periodic span is solved by Newton on the period map, starting with steps of an
 /// hour: each block of facets has its own monodromy matrix, at two steepnesses of its surface,
-/// between which each facet finds its own. What neighbours send in longwave is solved for together
-/// with what it does to temperatures, to first order, after each pass
-/// (thermal/solve/longwave_exchange.hpp). Same bytes for any number of threads. Facets whose
-/// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
-/// snow, canopy, store of water, schedules) are solved one by one: thermal/solve/point_facets.hpp;
-/// those of targets together: thermal/solve/network_facets.hpp.
+/// between which each facet interpolates. Neighbours' longwave is solved together with its effect
+/// on temperatures, to first order, after each pass (thermal/solve/longwave_exchange.hpp). Same
+/// bytes for any number of threads. Facets that need more than a linear column under a dry or
+/// evenly wet surface (freezing ground, snow, canopy, water store, schedules) are solved one by
+/// one: thermal/solve/point_facets.hpp; those of targets together:
+/// thermal/solve/network_facets.hpp.
 ///
-/// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
-/// reports, as it does, with `unsolved`, of a facet whose balance has no solution from 1 to 5000 K.
+/// A facet that cannot lose heat has no periodic day: then `converged` is false and the residual
+/// shows it, as (with `unsolved`) for a facet whose balance has no solution from 1 to 5000 K.
 /// Throws InputError if arrays do not match; std::runtime_error, which names facet, material and
-/// instant, if a temperature comes out that is no number.
+/// instant, if a temperature is not a number.
 SolveResult solve(const SolveInput& input, const SolveOptions& options);
 
 }  // namespace diurna

@@ -179,22 +179,22 @@ std::string reported(const StartError& error) {
         case StartError::Against::nothing:
             return "the effect of earlier weather is not included";
         case StartError::Against::more_days:
-            than = fmt::format("a start with {} days of earlier weather", error.days);
+            than = fmt::format("with {} days of earlier weather", error.days);
             break;
         case StartError::Against::repeated_day:
-            than = "a start from the first day repeated";
+            than = "with the first day repeated";
             break;
         case StartError::Against::a_day_less:
-            than = fmt::format("a start with one day less of the earlier weather (known: {} day{})",
+            than = fmt::format("with one day less of earlier weather ({} day{} known)",
                                error.days + 1, error.days == 0 ? "" : "s");
             break;
     }
     std::string line = fmt::format(
-        "compared on level ground of each material, {} changes the temperature at the first stored "
-        "instant by up to {:.2g} K ({}; rms of all {:.2g} K)",
+        "effect on level ground of each material: {}, temperatures at the first stored instant "
+        "differ by up to {:.2g} K ({}; rms over the materials {:.2g} K)",
         than, error.at_first, error.worst, error.mean);
     if (error.later_h > 0.0)
-        line += fmt::format(", {:.2g} K {:g} h later", error.at_later, error.later_h);
+        line += fmt::format(", {:g} h later by up to {:.2g} K", error.later_h, error.at_later);
     return line;
 }
 

@@ -11,12 +11,13 @@ namespace diurna {
 
 /// "facet 81 of semi_desert"
 std::string facet_name(const SolveState& solve, std::size_t facet);
-/// The facets whose day is furthest from repeating itself; "" where there are none.
+/// The facets with the largest residual of the periodic day; "" if there are none.
 std::string furthest_facets(const SolveState& solve, const PointFacets& points,
                             const NetworkFacets& targets);
 
-/// In a line which pass this was, how far it has left the span from what will do, and which facet,
-/// of which material, is the furthest: for who waits for a solve that takes long.
+/// One line of progress: number of the pass, residual against
+/// its limit, and the facet and material with the largest
+/// one.
 ///
 /// - report: after the pass and the exchange that followed it
 std::string what_is_left(const SolveState& solve, const PointFacets& points,

@@ -5,11 +5,11 @@
 
 namespace diurna {
 
-/// One step. Lanes whose equations are not solved stay as they were.
+/// One step. Lanes whose equations did not converge are unchanged.
 LaneMask advance(const EnthalpyForcing& forcing, EnthalpyBatch& batch);
 
-/// The conditions of one lane, for its terms by name: at the end of the last step as it met them,
-/// or (`now`) as they are.
+/// The conditions of one lane, for its terms by name: at the end of the last step as used in it, or
+/// (`now`) the present ones.
 SurfaceConditions conditions_of(const EnthalpyBatch& batch, const EnthalpyForcing& forcing,
                                 std::size_t lane, bool now = false);
 

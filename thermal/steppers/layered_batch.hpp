@@ -16,10 +16,10 @@ struct LayeredBatch {
     std::vector<double> state;                // [node][lane]
     std::array<double, lanes> temperature{};  // of the surface [K]
     std::array<double, lanes> rate{};         // its change over the last step, for a first guess
-    std::array<double, lanes> taken{};        // by the column at the last step's end [W m⁻²]
+    std::array<double, lanes> taken{};        // into the column at the last step's end [W m⁻²]
     std::array<NaturalFilm, lanes> natural{};
     /// (stage) [lane] absorbed sun and longwave of plates' backs [W m⁻²]; null: that of
-    /// surroundings as warm as the air.
+    /// surroundings at the air's temperature.
     std::array<const double*, 2> behind{};
     bool wet_behind = false;  // the backs evaporate as the fronts do
 

@@ -15,9 +15,10 @@ namespace diurna {
 ///
 ///     x₁ = decay x₀ + from (u₀ + f) + to (u₁ + f),    θ = Σ surface x,   f the flux from below.
 ///
-/// The drive u = q + film θ holds all that the surface takes in but what the film passes; of the
-/// step's error only what the true film differs from this one is left, second order in the step,
-/// and a jump decays however long the step is (L-stable for any true film above none).
+/// The drive u = q + film θ includes the surface's whole heat input except through the
+/// film. The only error is due to the difference between the true film and this one:
+/// second order in the step, and a jump decays for any step (L-stable for any positive
+/// true film).
 struct ModeStep {
     double step, film, reference, flux_below;            // [s], [W m⁻² K⁻¹], [K], [W m⁻²]
     double response;                                     // Σ surface · to [K m² W⁻¹]
@@ -29,8 +30,8 @@ struct ModeStep {
 };
 ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step);
 
-/// Up to `mode_lanes` facets of one material in units of `lanes`; those of the last unit that are
-/// not wanted repeat its first.
+/// Up to `mode_lanes` facets of one material in units of `lanes`; unused lanes of the last unit
+/// repeat its first lane.
 struct ModeBatch {
     std::size_t count = 0;
     std::vector<double> state;  // [unit][mode][lane of the unit]
@@ -49,11 +50,11 @@ struct ModeBatch {
 void begin_modes(const ModeStep& step, const AirOver& air, const double* heat, double emissivity,
                  ModeBatch& batch);
 
-/// One step. The lanes whose heat jumps, and where the surface is quick those whose heat did so in
-/// the step before, go their own way: to the jump, then in four parts of growing length.
-/// `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what the
-/// surface takes in at the step's end less what the modes got, over the sum of its terms. The modes
-/// themselves keep every joule (tests/thermal/reduced_column_test).
+/// One step. Lanes whose heat jumps, and on fast surfaces also those whose heat jumped in the step
+/// before, are stepped separately: to the jump, then in four parts of growing length.
+/// `record.slope[0]` receives the sum over lanes of d(flux)/dT at its end; worst_closure the
+/// difference between the surface's heat input at the step's end and the modes', over the sum of
+/// its terms. The modes themselves conserve energy exactly (tests/thermal/reduced_column_test).
 ///
 /// Between begin_modes and end_modes the state lacks the last drive's own part.
 void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,

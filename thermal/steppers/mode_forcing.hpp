@@ -7,19 +7,19 @@
 
 namespace diurna {
 
-/// Where one lane's heat jumps within a step.
+/// A jump of one lane's heat input within a step.
 struct HeatJump {
     std::size_t lane;
     double share;  // of the step, 0 to 1
-    double heat;   // [W m⁻²] what it rises by
+    double heat;   // [W m⁻²] size of the jump
 };
 
-/// The air over facets at one instant: the same over all, or each on the line from one height's air
-/// to a higher one's.
+/// The air over facets at one instant: the same over all, or interpolated for each between the air
+/// at a lower and at a higher height.
 struct AirOver {
     const AirFilm& low;
     const AirFilm* high = nullptr;
-    const double* up = nullptr;  // (lane) share of the way; null: `low` over all
+    const double* up = nullptr;  // (lane) fraction of the way; null: `low` over all
 
     AirOver(const AirFilm& one) : low(one) {}
     AirOver(const AirFilm& lower, const AirFilm& higher, const double* lanes_up)
@@ -27,12 +27,12 @@ struct AirOver {
     AirFilm at(std::size_t lane) const { return up ? air_between(low, *high, up[lane]) : low; }
 };
 
-/// Air and heat [lane], units filled up, (absorbed sun and longwave, internal) at the instants a
-/// step joins.
+/// Air and heat [lane], padded to units, (absorbed sun and longwave, internal) at the start and the
+/// end of a step.
 struct ModeForcing {
     AirOver air_before, air;
     const double *heat_before, *heat;
-    std::span<const HeatJump> jumps;  // the step is split there, for those lanes
+    std::span<const HeatJump> jumps;  // for those lanes the step is split there
 };
 
 }  // namespace diurna

@@ -9,9 +9,9 @@
 
 namespace diurna {
 
-// The two surface balances of a thin plate, solved together with what its modes answer.
+// The two surface balances of a thin plate, solved together with the response of its modes.
 
-/// The air on the two faces: from behind, up is down.
+/// The air on the two faces; the back's normal is reversed.
 struct TwoAirs {
     const AirFilm& air;
     double emissivity[2];
@@ -23,7 +23,7 @@ struct TwoAirs {
           arriving(absorbed_of_air(given, surface.back->emissivity)) {}
 };
 
-/// Heat into one face [W m⁻²], all but `heat` on the front, and d/dT.
+/// Heat into one face [W m⁻²], without `heat` on the front, and d/dT.
 template <FilmKind Kind, bool Wet>
 [[gnu::always_inline]] inline void face_flux(const AirFilm& air, const NaturalFilm& natural,
                                              double emissivity, double t, double& flux,
@@ -43,7 +43,7 @@ struct Faces {
 
 inline constexpr double plate_settled = 1e-8;  // [K] of the last correction, which has been applied
 inline constexpr int plate_newton_steps = 12;
-/// Which air a plate's faces have, as the loops know it: the kind of film, evaporation in front and
+/// Template arguments for a plate's faces: the kind of film, evaporation in front and
 /// behind.
 template <FilmKind Kind, bool Wet, bool WetBehind>
 struct FaceKinds {
@@ -51,7 +51,7 @@ struct FaceKinds {
     static constexpr bool wet = Wet, wet_behind = WetBehind;
 };
 
-/// By halving within halving: every face's balance falls with its own temperature and rises with
+/// By nested bisection: each face's balance decreases with its own temperature and increases with
 /// the other's.
 template <class Kinds>
 void solve_slowly(const TwoAirs& airs, const NaturalFilm& natural, const PlateStep& step,

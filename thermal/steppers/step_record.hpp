@@ -6,7 +6,7 @@
 
 namespace diurna {
 
-/// What a step leaves besides the state.
+/// Diagnostics of a step.
 struct StepRecord {
     double worst_closure = 0.0;  // |stored − in| / Σ|terms| dt, so far
     long long stages = 0, iterations = 0;
@@ -14,7 +14,7 @@ struct StepRecord {
     std::size_t bisections = 0;
     std::array<double, 2> slope{};  // Σ over lanes of d(flux)/dT at the last step's two stages
 
-    /// Newton's iterations of one stage, and the lanes × iterations that left the bracket.
+    /// Newton iterations of one stage, and the lanes × iterations outside the bracket.
     void count(int newton, std::size_t bisected) {
         ++stages;
         iterations += newton;

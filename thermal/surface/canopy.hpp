@@ -4,21 +4,23 @@
 
 namespace diurna {
 
-/// The film at which stable air carries most heat [W m⁻² K⁻¹]: colder, Louis's film falls faster
-/// than the difference grows. Ground has its own heat to hold it; leaves and a snow's skin have
-/// none and would jump between two temperatures, so their film falls no further.
+/// The film at which stable air transports most heat [W m⁻² K⁻¹]: for colder surfaces Louis's
+/// film falls faster than the difference grows. Ground is stabilised by its heat capacity;
+/// leaves and snow's skin have none and would jump between two temperatures, so their film is
+/// limited.
 double fullest_film(const AirFilm& air);
-/// Of that at neutrality, over ground as rough: AirFilm's `neutral` times this and `least`.
+/// That over the neutral film, over such ground: AirFilm's `neutral` times this and
+/// `least`.
 double fullest_share(const AirFilm& air);
 
-/// Leaves, or snow, that hide the ground, joined to it by a skin's conductance [W m⁻² K⁻¹]: the
-/// balance is the skin's, and the ground gets what the skin conducts.
+/// Leaves, or snow, that hide the ground, coupled to it by a skin's conductance [W m⁻² K⁻¹]: the
+/// balance is that of the skin, and the ground receives the conducted heat.
 SurfaceTerms skin_terms(const SurfaceConditions& conditions, double conductance,
                         double ground_temperature);
 
-/// Leaves above, ground between, each with a balance of its own (after Norman, Kustas & Humes
-/// 1995): both open to the sky by their share of the view from above, and facing one another over
-/// the leaves' share.
+/// Leaves above, ground between, each with its own balance (after Norman, Kustas & Humes 1995):
+/// both exposed to the sky by their share of the view from above, and exchanging with each other
+/// over the leaves' share.
 SurfaceTerms two_source_terms(const SurfaceConditions& conditions, const TwoSource& canopy,
                               double ground_temperature);
 

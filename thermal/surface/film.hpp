@@ -2,15 +2,15 @@
 
 namespace diurna {
 
-/// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite where the
-/// two are equally warm; and dh/dT_s for the latent heat, zero for plates: there a step of Newton's
-/// more costs less.
+/// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite at equal
+/// temperatures; and dh/dT_s for the latent heat, zero for plates, where one more Newton step takes
+/// less time.
 struct Film {
     double h, rise, slope;
 };
 
-/// What the film of a surface follows: ground (Louis, or a constant), open or in the lee of
-/// something; a building's wall or roof (TARP, MoWiTT); a body of known shape and size.
+/// The law of a surface's film: ground (Louis, or a constant), open or sheltered; a building's wall
+/// or roof (TARP, MoWiTT); a body of known shape and size.
 enum class FilmKind : unsigned char { ground, sheltered_ground, wall, body };
 template <FilmKind Kind>
 inline constexpr bool on_ground = Kind == FilmKind::ground || Kind == FilmKind::sheltered_ground;

@@ -4,7 +4,7 @@
 
 namespace diurna {
 
-/// The surface's terms at a ground temperature: of bare ground, or of what stands on it
+/// The surface's terms at a ground temperature: of bare ground, or of its canopy or snow
 /// (thermal/surface/canopy.hpp).
 SurfaceTerms surface_terms(const SurfaceConditions& conditions, double ground_temperature);
 

@@ -14,20 +14,20 @@ struct HeatBalance {
     double internal = 0.0;
     double conducted = 0.0;  // from the ground below
 
-    /// Zero for a massless surface; what the surface's own half cell stores otherwise.
+    /// Zero for a massless surface; otherwise the storage of the surface's half cell.
     double sum() const;
-    /// Of a face that is open in part, spread over all of its area: every term times the share.
+    /// For a partly open face, averaged over its whole area: every term times the share.
     HeatBalance times(double share) const;
 };
 
-/// What reaches a surface, whatever its temperature [W m⁻²].
+/// Heat input of a surface that does not depend on its temperature [W m⁻²].
 struct ArrivingHeat {
     double absorbed_solar = 0.0;
     double longwave = 0.0;  // irradiance, before absorption
     double internal = 0.0;
 };
 
-/// Everything but conduction, for one facet.
+/// All terms except conduction, for one facet.
 HeatBalance heat_balance(const AirFilm& air, const NaturalFilm& natural, double emissivity,
                          const ArrivingHeat& arriving, double temperature);
 

@@ -9,9 +9,9 @@
 
 namespace diurna {
 
-/// Free and forced convection of walls and bodies. What a facet's own place, tilt and size do
-/// stands in a `NaturalFilm`, which never changes; what the air does in a `PlateAir`, the same for
-/// all facets of a material at one instant. Their products are films, so that neither is computed
+/// Free and forced convection of walls and bodies. The effect of a facet's position, tilt and size
+/// is in a `NaturalFilm`, which is constant; the effect of the air in a `PlateAir`, the same for
+/// all facets of a material at one instant. Films are products of both, so that neither is computed
 /// for each facet and instant.
 ///
 /// A body (BodyFilm), Ra of its size and |T_s − T_a|, Re of its size and wind, Pr = 0.71:
@@ -23,61 +23,62 @@ namespace diurna {
 ///              hot side down or cold side up: 0.27 Ra^¼
 ///              (inclined: Raithby & Hollands 1998, Handbook of Heat Transfer, 4.3)
 ///     cylinder (0.60 + 0.387 Ra^⅙ / [1 + (0.559/Pr)^(9/16)]^(8/27))² (Churchill & Chu 1975)
-///     forced   plate: 0.664 Re^½ Pr^⅓ laminar, (0.037 Re^⅘ − A) Pr^⅓ beyond the transition, where
-///              A makes it go on without a step (Incropera et al., 7.2)
+///     forced   plate: 0.664 Re^½ Pr^⅓ laminar, (0.037 Re^⅘ − A) Pr^⅓ beyond the transition, with
+///              A such that it is continuous (Incropera et al., 7.2)
 ///     cylinder Churchill & Bernstein 1977, as a sum of two powers of Re: 1.5 % up to Re = 1e7
 ///     box      0.102 Re^0.675 Pr^⅓ (Jakob 1949: a square bar across the flow)
 ///     both     h³ = free³ + forced³ (Churchill 1977)
 ///
-/// The air's properties are those of the mean of surface and air temperature (Eckert's reference
+/// The air's properties are those at the mean of surface and air temperature (Eckert's reference
 /// temperature in flight), to first order in the difference: 1 % at 60 K, 3 % at 300 K.
 struct PlateAir {
     double conduct = 0.0;  // √k [W^½ m^-½ K^-½]
     double sixth = 0.0;    // √third
     double quarter = 0.0;  // k (g β / ν α)^¼ [W m^-7/4 K^-5/4]
     double third = 0.0;    // k (g β / ν α)^⅓ [W m⁻² K⁻⁴ᐟ³]; of walls (ρ/ρ₀)^⅔
-    double laminar = 0.0;  // forced, of a size of 1 m; of walls all of it [W m⁻² K⁻¹]
+    double laminar = 0.0;  // forced, for a size of 1 m; of walls all of it [W m⁻² K⁻¹]
     double turbulent = 0.0;  // forced beyond the transition
-    double edge = 0.0;       // less than that by what is laminar before it
-    double warming = 0.0;    // [K⁻¹] what a kelvin of the surface's excess takes off `third`
+    double edge = 0.0;       // reduction of it by the laminar part upstream
+    double warming = 0.0;    // [K⁻¹] decrease of `third` per kelvin of the surface's excess
     double roughness = 1.0;  // of MoWiTT's walls
     bool quadratic = false;  // MoWiTT
 };
 
-/// What is a facet's own in its film. Eight numbers, no more: arrays of them load as vectors.
+/// A facet's own factors of its film. At most eight numbers: arrays of them load as vectors.
 struct NaturalFilm {
-    double side = 1.0;  // 1: air rises off it where it is warmer, −1: where it is colder
-    /// Of a level plate whose air rises; held under it or over it, half of `quarter` and none of
-    /// `third`. Of walls `third` where air rises, `quarter` where it is held.
+    double side = 1.0;  // 1: air rises from it if it is warmer, −1: if it is colder
+    /// Of a level plate whose air rises; with stagnant air below or above it half of `quarter` and
+    /// no `third`. Of walls `third` for rising air, `quarter` for stagnant air.
     double quarter = 0.0, third = 0.0;
     double conduct = 0.0, sixth = 0.0;  // of an upright plate
-    /// Powers of its share of the wind and its size; of sheltered ground the share itself and its
-    /// square's inverse.
+    /// Powers of its share of the wind and its size; of sheltered ground the share itself and the
+    /// inverse of its square.
     double laminar = 1.0, turbulent = 1.0, edge = 0.0;
 };
 
-/// How large a facet's part is, and how much of the wind reaches it.
+/// Size of a facet's part, and its share of the wind.
 struct FilmPart {
-    float rise = 0.0f;     // [m] up its slope; all 0: not known, as of a square of 1 m
+    float rise = 0.0f;     // [m] along its slope; all 0: not known, as of a square of 1 m
     float breadth = 0.0f;  // [m] area over perimeter
-    float chord = 0.0f;    // [m] along the wind, the mean of all directions
+    float chord = 0.0f;    // [m] along the wind, mean over all directions
     float across = 0.0f;   // [m] of the whole body: a cylinder's diameter, a box's width
-    float wind = 1.0f;     // share of the wind that is measured
+    float wind = 1.0f;     // share of the measured wind
 };
 
-/// The facet's own part of its film.
+/// The facet's own factors of its film.
 ///
 /// up_cosine  upward part of the outward normal, −1 to 1
 NaturalFilm facet_film(const Convection& convection, double up_cosine, const FilmPart& part);
 
-/// Natural convection of a building's surface, h = C |ΔT|^⅓ (Walton's TARP 1983): the factor
-/// C [W m⁻² K⁻⁴ᐟ³] where air rises off it and where it is held. 1.31 both for a wall.
+/// Natural convection of a building's surface, h = C |ΔT|^⅓ (Walton's TARP 1983): the factor C [W
+/// m⁻² K⁻⁴ᐟ³] for rising air and for stagnant air. Both 1.31 for a wall.
 NaturalFilm natural_film(double up_cosine);
 
-/// What the air does to a film. Of walls by its density ρ over ρ₀ = 1.204 kg m⁻³ (20 °C, 1013 hPa),
-/// which their formulas were measured in: natural ρ^⅔ as Ra^⅓, forced ρ^½ (TARP's √U), ρ^0.89.
+/// The air's factors of a film. For walls scaled with its density ρ over ρ₀ = 1.204 kg m⁻³ (20
+/// °C, 1013 hPa) of the measured formulas: natural ρ^⅔ as Ra^⅓, forced ρ^½ (TARP's √U),
+/// ρ^0.89.
 ///
-/// reference  air at the temperature that its properties are taken at: the air's, in flight
+/// reference  air at the temperature of its properties: the air's, in flight
 ///            Eckert's
 /// wind       [m s⁻¹]
 PlateAir plate_air(const Tarp& tarp, const AirState& reference, double wind);
@@ -85,15 +86,15 @@ PlateAir plate_air(const Mowitt& mowitt, const AirState& reference, double wind)
 PlateAir plate_air(const BodyFilm& body, const AirState& reference, double wind);
 
 /// Forced part of TARP's film [W m⁻² K⁻¹]: 2.537 W_f R_f √(P U / A), mean of windward and leeward
-/// (W_f 0.75), P/A = 4 / length; of a level surface (|up cosine| 0.98 or more) facet_film() makes
-/// that W_f 1, as Walton 1983 and EnergyPlus have it for roofs.
+/// (W_f 0.75), P/A = 4 / length; for a level surface (|up cosine| 0.98 or more) facet_film() uses
+/// W_f 1, as Walton 1983 and EnergyPlus for roofs.
 double tarp_forced(const Tarp& tarp, double wind_speed);
 /// Forced part of DOE-2's MoWiTT film, windward: 3.26 U^0.89.
 double mowitt_forced(double wind_speed);
 
-/// Air as warm as a surface that moves through it would find it: T (1 + r (γ − 1)/2 M²), γ = 1.4.
+/// Adiabatic temperature of a surface moving through the air: T (1 + r (γ − 1)/2 M²), γ = 1.4.
 double recovery_temperature(double air_temperature, double speed, double recovery);
-/// r of a plate: √Pr where its boundary layer is laminar, up to the transition; ∛Pr beyond.
+/// r of a plate: √Pr for a laminar boundary layer, up to the transition; ∛Pr for a turbulent one.
 double recovery_factor(const AirState& air, const Flight& flight, double transition);
 
 /// A wall under natural and forced convection: their sum (TARP) or natural + R_f (√(natural² +
@@ -111,8 +112,8 @@ double recovery_factor(const AirState& air, const Flight& flight, double transit
     return {h, n * steep / 3.0, 0.0};
 }
 
-/// A body's film. Every part is a power of |excess| times one of the properties' share f of what
-/// they are at no excess, so excess · dh/dT follows from the exponents. (T6) of docs/theory.md
+/// A body's film. Every part is a power of |excess| times one of the properties' share f of their
+/// value at zero excess, so excess · dh/dT follows from the exponents. (T6) of docs/theory.md
 [[gnu::always_inline]] inline Film body_film(const PlateAir& air, const NaturalFilm& own,
                                              double excess) {
     const double x = std::abs(excess);
@@ -134,7 +135,7 @@ double recovery_factor(const AirState& air, const Flight& flight, double transit
     const double tripped = quick - air.edge * own.edge;
     const double forced = tripped > laminar ? tripped : laminar;
     const double forced_rise = tripped > laminar ? -fall * quick : 0.0;
-    constexpr double least = 1e-30;  // of lanes that nobody wants
+    constexpr double least = 1e-30;  // for unused lanes
     const double h = cube_root(n * n * n + forced * forced * forced) + least;
     return {h, (n * n * n_rise + forced * forced * forced_rise) / (h * h), 0.0};
 }

@@ -8,18 +8,18 @@
 
 namespace diurna {
 
-// What water and frost that lie on a surface add to its balance, written once: scalar code and the
-// loops over lanes call these. For loops: no call, no branch.
+// Contribution of water and frost on a surface to its balance, for both scalar code and loops over
+// lanes: no call, no branch.
 
 inline constexpr double freezing_span = 2.0;  // [K] over which vapour's heat turns to that of ice
 
-/// Share of ice's heat in that of the vapour above it.
+/// Share of sublimation in the heat of the vapour above it.
 [[gnu::always_inline]] inline double frozen_share(double temperature) {
     return std::min(1.0, std::max(0.0, (zero_celsius - temperature) / freezing_span));
 }
 
-/// Saturation pressure [Pa] over ice below the triple point, where the two meet, over water above;
-/// and its slope. Above 450 K straight on.
+/// Saturation pressure [Pa] over ice below the triple point, where both are equal, over water above
+/// it; and its slope. Linear above 450 K.
 [[gnu::always_inline]] inline double saturation_over_frost(double temperature, double& slope) {
     const bool ice = temperature < triple_point;
     const double a = ice ? over_ice.a : over_water.a, b = ice ? over_ice.b : over_water.b;
@@ -31,11 +31,11 @@ inline constexpr double freezing_span = 2.0;  // [K] over which vapour's heat tu
 }
 
 /// Vapour above a surface at a temperature: pressure above the air's [Pa] and its slope, and the
-/// heat it carries [J m⁻³ Pa⁻¹] and the slope of that.
+/// heat it carries [J m⁻³ Pa⁻¹] with its slope.
 struct FrostVapour {
     double excess, slope, heat, heat_slope;
 };
-/// vapour  AirFilm::latent, or 0 where none goes either way
+/// vapour  AirFilm::latent, or 0 without exchange of vapour
 /// of_ice  heat of sublimation over that of vaporisation
 [[gnu::always_inline]] inline FrostVapour frost_vapour(const AirFilm& air, double vapour,
                                                        double of_ice, double temperature) {
@@ -47,8 +47,8 @@ struct FrostVapour {
     v.heat_slope = blends ? -vapour * (of_ice - 1.0) / freezing_span : 0.0;
     return v;
 }
-/// Latent heat towards the surface [W m⁻²] and d/dT: evaporation from the wet share against a
-/// resistance in series with the air's, dew and hoar against the air's alone.
+/// Latent heat towards the surface [W m⁻²] and d/dT: evaporation from the wet share with a
+/// resistance in series with the air's, dew and hoar with the air's only.
 [[gnu::always_inline]] inline SurfaceFlux latent_of(const AirFilm& air, const Film& film,
                                                     const FrostVapour& v, double wetness,
                                                     double resistance) {
@@ -59,7 +59,7 @@ struct FrostVapour {
             -wet * (v.heat * (path.conductance * v.slope + path.steeper * v.excess) +
                     v.heat_slope * path.conductance * v.excess)};
 }
-/// Of a surface whose wet share evaporates freely, and the rest as the material does.
+/// For a surface whose wet share evaporates freely, and the rest as the material does.
 [[gnu::always_inline]] inline SurfaceFlux stored_latent(const AirFilm& air, const Film& film,
                                                         double vapour, double of_ice, double share,
                                                         double temperature) {
@@ -70,10 +70,10 @@ struct FrostVapour {
             share * free.slope + (1.0 - share) * held.slope};
 }
 
-/// Heat that lying frost takes as it melts (negative), lying water gives as it freezes, up to what
-/// turns all of either within the step [W m⁻²]; and d/dT.
+/// Heat used by melting frost (negative) or released by freezing water on a surface, limited to the
+/// amount that melts or freezes all of it within the step [W m⁻²]; and d/dT.
 ///
-/// film  between the surface and what melts [W m⁻² K⁻¹]
+/// film  between the surface and the frost or water [W m⁻² K⁻¹]
 [[gnu::always_inline]] inline SurfaceFlux melting_flux(double film, double frost_heat,
                                                        double water_heat, double temperature) {
     const double free = film * (temperature - zero_celsius);

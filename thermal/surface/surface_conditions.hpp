@@ -6,11 +6,11 @@
 
 namespace diurna {
 
-/// [W m⁻² K⁻¹] between a surface and the little frost or water that lies on it.
+/// [W m⁻² K⁻¹] between a surface and a small amount of frost or water on it.
 inline constexpr double thin_phase_film = 50.0;
 
-/// What stands above one facet's ground at one instant: a point's surface, with all it may
-/// carry (water, frost, leaves).
+/// Conditions above one facet's ground at one instant: a point's surface, with its cover (water,
+/// frost, leaves).
 struct SurfaceConditions {
     AirFilm air{};
     NaturalFilm natural{};
@@ -18,28 +18,28 @@ struct SurfaceConditions {
     double wind_height = 10.0;    // [m]
     double absorbed_solar = 0.0;  // [W m⁻²]
     double longwave_in = 0.0;     // [W m⁻²] irradiance from the sky
-    double own_view = 0.0;        // of ground as warm as the facet itself, 0 to 1
+    double own_view = 0.0;        // of ground at the facet's own temperature, 0 to 1
     double emissivity = 1.0;
     double internal = 0.0;   // [W m⁻²]
-    double wet_share = 0.0;  // covered by standing water, evaporating freely
+    double wet_share = 0.0;  // covered by water, evaporating freely
     double rain_mm_h = 0.0;
-    bool stores = false;  // dew collects even on what does not evaporate by itself
-    /// What melts all frost and freezes all water that lies there within the step [W m⁻²]: they do
-    /// so by `phase_film` from 273.15 K, up to this.
+    bool stores = false;  // dew also collects on surfaces that do not evaporate
+    /// Heat that melts all frost and freezes all water there within the step [W m⁻²]: the upper
+    /// limits of `phase_film` times the difference from 273.15 K.
     double frost_heat = 0.0, water_heat = 0.0;
     double phase_film = thin_phase_film;  // [W m⁻² K⁻¹]
-    double snow_conductance = 0.0;  // [W m⁻² K⁻¹] of snow that lies on bare ground; 0: none
+    double snow_conductance = 0.0;        // [W m⁻² K⁻¹] of snow on bare ground; 0: none
     Canopy canopy;
 };
 
 /// The terms at a ground temperature, positive towards the surface [W m⁻²].
 struct SurfaceTerms {
-    HeatBalance balance;       // `conducted` stays zero
+    HeatBalance balance;       // `conducted` is zero
     double wet_evaporation;    // latent heat of the wet share alone, per unit wet share
-    double frost_melt;         // heat taken by melting frost (negative), given by freezing water
+    double frost_melt;         // heat used by melting frost (negative) or released by freezing
     double radiometric;        // [K] what a radiometer sees
     double leaf;               // [K] leaves, skin or snow; the ground itself without them
-    double into_ground;        // all of it
+    double into_ground;        // total
     double into_ground_slope;  // d/dT of the ground [W m⁻² K⁻¹]
 };
 

@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// What water makes of a surface to light: the share that is wet, the share of all that snow hides,
-/// and that snow's broadband albedo.
+/// Optical effect of water and snow on a surface: the wet share, the share hidden by snow, and that
+/// snow's broadband albedo.
 struct SurfaceCover {
     float wet = 0.0f, snow = 0.0f, snow_albedo = 0.0f;
 
@@ -14,15 +14,15 @@ struct SurfaceCover {
     bool operator==(const SurfaceCover&) const = default;
 };
 
-/// Of a surface as it is, by the same laws as its heat balance: wet is content over capacity, one
-/// at the most; snow hides depth / (depth + 5 z0) (snow_cover()), but lies neither on leaves nor on
-/// a material that itself is ageing snow, which is covered by itself.
+/// For a surface in its present state, by the same laws as its heat balance: wet is content over
+/// capacity, at most one; snow hides depth / (depth + 5 z0) (snow_cover()), except on leaves and on
+/// a material that is ageing snow, which only covers itself.
 ///
-/// snow_albedo  of the snow that lies there, or of the material that ages
+/// snow_albedo  of the snow on it, or of the ageing material
 SurfaceCover surface_cover(const ThermalSurface& surface, const StoreCapacity& capacity,
                            const Standing& lying, double snow_albedo);
 
-/// Whether it may ever be covered.
+/// Whether it can have a cover.
 inline bool holds_water(const ThermalSurface& surface) {
     return surface.store.capacity_mm > 0.0 || surface.snow_albedo.has_value();
 }

@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-// The balance of one face of a surface, written once: scalar code and the loops over lanes
-// (thermal/kernels) call these. For loops: no call, no branch.
+// The balance of one face of a surface, for both scalar code and the loops over lanes
+// (thermal/kernels): no call, no branch.
 
 /// The film of a face.
 template <FilmKind Kind>
@@ -14,7 +14,7 @@ template <FilmKind Kind>
                                            double temperature) {
     if (Kind == FilmKind::ground) return ground_film(air, temperature);
     if (Kind == FilmKind::sheltered_ground) {
-        // A share of the wind (facet_film).
+        // Wind reduced by facet_film's share.
         return ground_film({.air_temperature = air.air_temperature,
                             .neutral = air.neutral * own.laminar,
                             .instability = air.instability * own.turbulent,
@@ -36,7 +36,7 @@ template <FilmKind Kind>
                                   : body_film(air.plate, own, excess);
 }
 
-/// Calls `call` as a template of the film's kind and whether the surface is wet.
+/// Calls `call` as a template of the film's kind and of whether the surface is wet.
 template <class Call>
 auto by_kind(FilmKind kind, bool wet, const Call& call) {
     const auto of = [&]<FilmKind Kind>() {
@@ -59,14 +59,14 @@ inline Film film_of(const AirFilm& air, const NaturalFilm& own, double temperatu
     return by_kind(air.kind, false,
                    [&]<FilmKind Kind, bool>() { return film_of<Kind>(air, own, temperature); });
 }
-/// Of a plate's other side: seen from there, up is down.
+/// The film of a plate's other side, whose normal is reversed.
 inline NaturalFilm turned_over(const NaturalFilm& own) {
     NaturalFilm other = own;
     other.side = -own.side;
     return other;
 }
 
-/// What a face sends away by radiation and to the air [W m⁻²], and −d/dT of both [W m⁻² K⁻¹].
+/// Emission and convection of a face [W m⁻²], and −d/dT of both [W m⁻² K⁻¹].
 ///
 /// radiation  ε σ [W m⁻² K⁻⁴]
 struct DryLoss {
@@ -102,17 +102,17 @@ template <FilmKind Kind, bool Wet>
     return into;
 }
 
-/// [W m⁻²] that a plate's back absorbs among surroundings as warm as the air.
+/// [W m⁻²] absorbed by a plate's back from surroundings at the air's temperature.
 inline double absorbed_of_air(const AirFilm& air, double emissivity) {
     return emissivity * stefan_boltzmann * power4(air.air_temperature);
 }
-/// What a plate's back has to do with.
+/// Conditions of a plate's back.
 struct BackFace {
     double emissivity;
     double arriving;   // absorbed sun and longwave [W m⁻²]
     bool wet = false;  // evaporates as the front does
 };
-/// Heat into it.
+/// Heat flux into the back.
 ///
 /// front  the natural film of the other side
 inline SurfaceFlux back_flux(const AirFilm& air, const NaturalFilm& front, const BackFace& back,

@@ -11,21 +11,21 @@
 
 namespace diurna {
 
-/// The bulk Richardson number beyond which colder ground damps the air no further: over ground that
-/// is not smooth and level for kilometres air in calm nights still moves by drainage and waves that
-/// no mean wind reports of. Martin and Lejeune (1998, Ann. Glaciol. 26, 179) hold it down over
-/// alpine snow so, as SURFEX does since; 0.1 is chosen on snow (Weissfluhjoch, November and
-/// December) and stubble (Bondville, January to March).
+/// The bulk Richardson number above which stability damps no further: over ground that is not
+/// smooth and level for kilometres, air in calm nights still moves by drainage and waves that the
+/// mean wind does not include. Martin and Lejeune (1998, Ann. Glaciol. 26, 179) limit it in this
+/// way over alpine snow, as SURFEX does since; 0.1 is chosen from data on snow (Weissfluhjoch,
+/// November and December) and stubble (Bondville, January to March).
 inline constexpr double stable_limit = 0.1;
 
 /// Bulk transfer of heat between ground and air after Monin and Obukhov, in Louis's closed form
-/// (1979): the neutral coefficient times a function of the bulk Richardson number alone,
+/// (1979): the neutral coefficient times a function of the bulk Richardson number only,
 ///
 ///     h = ρ cp k² U / (L_m L_h) · F(x),      x = −Ri = g z_u (T_s − T_a) / (T_a U²)
 ///     F = 1 + a x / (1 + c √x)               ground warmer than the air
-///     F = 1 / (1 + s y √(1 + 30 y)), y = −x  ground colder, y no more than stable_limit
+///     F = 1 / (1 + s y √(1 + 30 y)), y = −x  ground colder, y at most stable_limit
 ///
-/// with L_m = ln(z_u / z0), L_h = ln(z_t / z0h). a, c and s belong to the heights and roughness
+/// with L_m = ln(z_u / z0), L_h = ln(z_t / z0h). a, c and s depend on the heights and roughness
 /// lengths: s is the exact slope at neutrality, a and c are fitted once to Businger and Dyer's
 /// functions over −10 < z/L < −0.001, to 2-6 % of their iterated solution
 /// (tests/thermal/turbulence_test).
@@ -36,14 +36,14 @@ struct LouisForm {
     double worst_fit;  // largest relative error of F over the fitted range
 };
 
-/// wind_height, air_height  [m] above the displaced ground; raised to twice the roughness length
-///                          where they are less
+/// wind_height, air_height  [m] above the displaced ground; at least twice the roughness length
+///
 /// roughness lengths        [m] momentum and heat, positive
 LouisForm louis_form(double roughness_length, double heat_roughness_length, double wind_height,
                      double air_height);
 
-/// How one kind of surface exchanges heat and vapour with the air at one instant: what the balance
-/// kernel needs, the same for all facets of a material.
+/// Exchange of heat and vapour between one kind of surface and the air at one instant: inputs of
+/// the balance kernel, the same for all facets of a material.
 struct AirFilm {
     double air_temperature;  // [K]
     double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant
@@ -59,15 +59,15 @@ struct AirFilm {
     PlateAir plate;          // of walls and bodies
 };
 
-/// wind below 0.3 m s⁻¹ counts as 0.3: drift in calm air
+/// wind below 0.3 m s⁻¹ is set to 0.3: drift in calm air
 inline constexpr double least_wind = 0.3;
 
-/// Of a surface in flight the wind is its speed, and the air as warm as it finds it.
+/// For a surface in flight the wind is its speed, and the air has the recovery temperature.
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
 
 /// Ground ((T3) of docs/theory.md) or constant film, F = n / d, dF/dx = g / d². One root and one
-/// division for both: of a choice between them the compiler makes two, so they are blended.
+/// division for both: the compiler would make two of a selection, so the cases are blended.
 [[gnu::always_inline]] inline Film ground_film(const AirFilm& air, double temperature) {
     const double excess = air.instability * (temperature - air.air_temperature);
     const double x = std::max(excess, -stable_limit);
@@ -84,8 +84,8 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
     return {air.neutral * n * inverse + air.least, steepness * x, steepness * air.instability};
 }
 
-/// What carries vapour, the air's film and a resistance [s m⁻¹] in series, over ρ cp [m s⁻¹], and
-/// d/dT_s of it.
+/// Conductance for vapour, the air's film and a resistance [s m⁻¹] in series, over ρ cp [m s⁻¹],
+/// and its d/dT_s.
 struct VapourPath {
     double conductance, steeper;
 };
@@ -95,8 +95,8 @@ struct VapourPath {
     return {film.h * in_series, air.heat_capacity * in_series * in_series * film.slope};
 }
 
-/// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
-/// surface's resistance in series with the air's, dew against the air's alone.
+/// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share with the
+/// surface's resistance in series with the air's, dew with the air's only.
 /// (T11) of docs/theory.md
 /// excess  [Pa] of saturation at the surface over the air's vapour; its slope [Pa K⁻¹]
 struct LatentHeat {
@@ -117,8 +117,8 @@ struct LatentHeat {
     return latent_heat(air, film, excess, slope);
 }
 
-/// Air on the straight line from one instant to another (and beyond). Value by value: loops that
-/// copy a whole AirFilm do not become vectors.
+/// Air interpolated (or extrapolated) between two instants. Value by value: loops that copy a whole
+/// AirFilm are not vectorised.
 [[gnu::always_inline]] inline AirFilm air_between(const AirFilm& before, const AirFilm& after,
                                                   double share) {
     const double back = 1.0 - share;

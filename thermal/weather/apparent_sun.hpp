@@ -6,11 +6,12 @@
 
 namespace diurna {
 
-/// The sun where it is seen: raised by the refraction of the air at the ground. One place for
-/// sunlight, shadows and pictures, so that they rise and set together.
+/// The apparent sun: raised by the refraction of the air at the ground. Used for sunlight, shadows
+/// and pictures, so that they agree at sunrise and sunset.
 ///
-/// - elevation: of the ground above the sea [m]: the standard atmosphere's pressure where the air's
-///   is not known (0)
+/// - elevation: of the ground above the sea [m]: gives the standard pressure if that of the air
+///   is
+///   not known (0)
 SunPosition apparent_sun(const SunPosition& geometric, const AirState& air, double elevation);
 
 /// The same at an instant of a series of weather.

@@ -18,7 +18,7 @@ struct ClearMoment {
     Sunlight light;
 };
 
-/// The clear sky along a series of weather: what its rows of sunlight are measured against.
+/// The clear sky along a series of weather: the reference for its measured sunlight.
 class ClearCourse {
  public:
     ClearCourse(const Weather& weather, const Site& site, double elevation, const ClearSky& clear)
@@ -30,8 +30,8 @@ class ClearCourse {
     /// Apparent solar time [h] of a sun, noon at 12.
     double solar_hour(const SunPosition& sun) const;
 
-    /// The sunlit part of [from, to] in seconds since an origin, to half a second; empty
-    /// (from > to) in the dark. One stretch: a polar noon within a longer interval is its own.
+    /// The sunlit part of [from, to] in seconds since an origin, to half a second; empty (from >
+    /// to) in the dark. Only one part: a polar noon within a longer interval is separate.
     std::array<double, 2> sunlit(Instant origin, double from, double to);
 
  private:
@@ -44,7 +44,7 @@ class ClearCourse {
     SunPath path_;
 };
 
-/// What moments of an interval add up to under a clear sky.
+/// Sums over moments of an interval under a clear sky.
 struct ClearSums {
     double seconds = 0.0;
     double top = 0.0, top_normal = 0.0;     // [J m⁻²] above the air, horizontal; facing the sun

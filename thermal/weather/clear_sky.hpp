@@ -11,8 +11,8 @@ namespace diurna {
 /// `none`: no air sends any, under whatever cloud.
 enum class LongwaveFormula { dilley_obrien, brutsaert, prata, brunt, idso, swinbank, none };
 
-/// What a cloudless sky does to sunlight (Bird & Hulstrom 1981; Ineichen & Perez 2002 where a
-/// turbidity is given) and which formula stands for its longwave.
+/// Model of a cloudless sky for sunlight (Bird & Hulstrom 1981; Ineichen & Perez 2002 if a
+/// turbidity is given) and the formula for its longwave.
 struct ClearSky {
     double aerosol_380nm = 0.15;                  // optical depth
     double aerosol_500nm = 0.10;                  // optical depth
@@ -20,9 +20,9 @@ struct ClearSky {
     double precipitable_water_cm = not_measured;  // NaN: from the vapour pressure
     double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
     double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
-    Separation separation = Separation::engerer2;  // of global sun that alone was measured
+    Separation separation = Separation::engerer2;  // for rows of only global sun
     LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
-    /// The sky is brighter towards the horizon, which tilted facets see (sky_shape.hpp).
+    /// The sky is brighter towards the horizon, which affects tilted facets (sky_shape.hpp).
     bool longwave_by_direction = true;
     /// Nothing between sun and ground: the beam is the solar constant at the sun's distance, and
     /// there is no other light. With LongwaveFormula::none: a vacuum (in_vacuum()).
@@ -50,13 +50,13 @@ struct Sunlight {
 Sunlight bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                         double water_cm, const ClearSky& sky = {});
 
-/// Clear-sky sunlight after Ineichen & Perez 2002 from Linke's turbidity: where only the climate of
-/// a place is known. 20 W m⁻² in global and direct with the turbidity known to 0.2.
+/// Clear-sky sunlight after Ineichen & Perez 2002 from Linke's turbidity: for places where only the
+/// climate is known. 20 W m⁻² in global and direct if the turbidity is known to 0.2.
 Sunlight ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                             double elevation, double linke_turbidity);
 
-/// Clear-sky sunlight at an instant by what a ClearSky says: Bird, or Ineichen where it has a
-/// turbidity. `sun` with refraction; zero when down.
+/// Clear-sky sunlight at an instant by the model of a ClearSky: Bird, or Ineichen if it has a
+/// turbidity. `sun` with refraction; zero if the sun is down.
 Sunlight clear_sunlight(const SunPosition& sun, const AirState& air, double elevation,
                         const ClearSky& clear);
 
@@ -67,7 +67,7 @@ double clear_longwave(const AirState& air);
 /// The same by another formula: Brutsaert 1975, Prata 1996, Brunt 1932 (0.52 + 0.065 √e), Idso
 /// 1981, Swinbank 1963. 10 to 35 W m⁻² rms at the same stations.
 double clear_longwave(const AirState& air, LongwaveFormula formula);
-/// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
+/// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear-sky value.
 double cloudy_longwave(const AirState& air, double cloud_fraction,
                        LongwaveFormula formula = LongwaveFormula::dilley_obrien);
 

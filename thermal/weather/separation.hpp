@@ -2,10 +2,10 @@
 
 namespace diurna {
 
-/// How global sunlight that alone was measured divides into direct and diffuse.
+/// Models that divide global sunlight into direct and diffuse if only global was measured.
 enum class Separation { engerer2, erbs };
 
-/// What a separation model knows of an interval; means weighted by the sunlight above the air.
+/// Inputs of a separation model for an interval; means weighted by the sunlight above the air.
 struct SeparationCase {
     double clearness;          // global over that above the air, both on the horizontal
     double minutes = 60.0;     // of the interval
@@ -15,8 +15,8 @@ struct SeparationCase {
     double top = 1361.0;  // [W m⁻²] above the air on a plane facing the sun
 };
 
-/// Diffuse share of global sunlight from the clearness index alone, hourly, Erbs et al. 1982
-/// (Solar Energy 28, 293).
+/// Diffuse share of global sunlight from the clearness index only, hourly, Erbs et al. 1982 (Solar
+/// Energy 28, 293).
 double erbs_diffuse_share(double clearness);
 
 /// Diffuse share by Engerer2 (Engerer 2015, Solar Energy 116, 215) with the parameters of Bright &

@@ -5,10 +5,12 @@
 
 namespace diurna {
 
-/// The sky of a station as it is at another height [m] above the sea.
+/// Converts the sky of a station to another height [m] above the sea.
 ///
-/// - longwave: its formula with the air there, under the same cloud; what was measured keeps its
-///   ratio to the formula. Falls by some 3 W m⁻² each 100 m (Marty et al. 2002, Theor. Appl.
+/// - longwave: its formula with the air at that height, under the same cloud; a measured value
+///   keeps
+///   its ratio to the formula. Decreases by some 3 W m⁻² per 100 m (Marty et al. 2002, Theor.
+///   Appl.
 ///   Climatol. 72, 137, measured 2.9 in the Alps; tests/thermal/sky_by_height_test.cpp)
 /// - direct: times the clear sky's there over the clear sky's at the station: less air (pressure)
 ///   and water above. Aerosol is left as it is: where haze is thick and shallow, heights get less
@@ -18,7 +20,7 @@ namespace diurna {
 ///   (light_by_height.hpp), so that above the cloud there is the clear sky that pictures have
 /// - albedo and what was measured on a facet's plane stay.
 ///
-/// now    the station's weather, its cloud inferred where it was not seen (SkySeries::weather)
+/// now    the station's weather, with its cloud inferred if not observed (SkySeries::weather)
 /// there  air_at_height of its air
 SkyState sky_at_height(const SkyState& sky, const Forcing& now, const AirState& there,
                        const AirByHeight& rule, double height, const ClearSky& clear);

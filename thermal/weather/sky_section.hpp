@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// The keys of [sky] in scene and column files alike: what stands for sunlight and longwave that
-/// were not measured.
+/// The keys of [sky] in scene and column files: models for sunlight and longwave that were not
+/// measured.
 ClearSky read_sky(const Section& sky);
 
 inline constexpr const char* sky_says = "models for radiation that was not measured";

@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// How scattered sunlight is spread over the sky at an instant, as shares of its irradiance on
+/// Distribution of scattered sunlight over the sky at an instant, as shares of its irradiance on
 /// level ground: L = [ (1 − circumsolar) / π + Σ c_k (f_k − T_k of level ground) ] E, in the even
 /// functions of terrain/visibility/sky_basis.hpp with the sun towards x, k = 1 to 9.
 struct SkySpread {
@@ -18,7 +18,7 @@ struct SkySpread {
     std::array<float, even_sky_functions - 1> uneven{};  // c_k [sr⁻¹]
 };
 
-/// The same over a span, linear in time between its instants and constant beyond them.
+/// The same over a span, linear in time between its instants and constant outside.
 struct SkySpreads {
     std::vector<Instant> instant;  // ascending, while the sun is up; not empty
     std::vector<SkySpread> spread;

@@ -19,7 +19,7 @@ struct SkyState {
     double diffuse_horizontal = 0;         // [W m⁻²]
     DiffuseSplit split{};                  // of the diffuse light
     double longwave_down = 0.0;            // on the horizontal [W m⁻²]
-    double tilted_longwave = 0.0;          // what tilted_sky_excess multiplies [W m⁻²]
+    double tilted_longwave = 0.0;          // factor of tilted_sky_excess [W m⁻²]
     double albedo = not_measured;          // measured up over down, replaces the material's
     double plane_of_array = not_measured;  // measured on the facet, replaces the transposition
     /// Of the series it comes from, which outlives it; null: formulas carry it to other heights.
@@ -29,41 +29,41 @@ struct SkyState {
     double global_horizontal() const;
 };
 
-/// The sky at one instant by what was measured then, the clear sky and its cloud elsewhere: for
-/// series see SkySeries. Global sun alone is split by its clearness index (Erbs); global, direct
-/// and diffuse together are made consistent with the global. Cloud without measured sun takes
-/// of global and direct what Kasten & Czeplak's takes
+/// The sky at one instant: measured values where available, else the clear-sky model with its
+/// cloud; for series see SkySeries. Global sun alone is split by its clearness index (Erbs);
+/// global, direct and diffuse together are made consistent with the global. Cloud without measured
+/// sun reduces global and direct by Kasten & Czeplak's factors
 /// (materials/atmosphere/cloud_modification.hpp).
 SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
                    const ClearSky& clear = {});
-/// The same for a sun whose place, without refraction, is known.
+/// The same for a given position of the sun, without refraction.
 SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
 
-/// What a facet sees of the sky: its view, 0 to 1, and what of the horizon (sky_shape.hpp); its
-/// shares T_k of sky functions, which count where the sky has coefficients of them.
+/// A facet's view of the sky: its view factor, 0 to 1, its view of the horizon (sky_shape.hpp); its
+/// shares T_k of sky functions, used if the sky has coefficients of them.
 struct OpenSky {
     double view = 1.0, horizon = 0.0;
     SkyVector shares{};
 };
 OpenSky open_sky(const SkyVector& shares);
 
-/// What the sky sends as if from the sun, on a plane facing it, evenly from all over it, what a
-/// wall receives more of a sky brighter towards the horizon, and coefficients of sky functions
-/// [W m⁻²]: by DiffuseSplit.
+/// Sunlight of the sky by DiffuseSplit [W m⁻²]: the part from the direction of the sun, on a plane
+/// facing it, the uniform part, the excess on a wall due to a brighter horizon, and coefficients of
+/// sky functions.
 struct SkyLight {
     double beam = 0.0, even = 0.0, horizon = 0.0;
     SkyVector uneven{};
 };
 SkyLight sky_light(const SkyState& sky);
 
-/// Sunlight on a facet [W m⁻²] without what other facets reflect: the beam and the circumsolar part
-/// of the diffuse light come from the sun's direction and share its shadow, a part comes from the
-/// horizon, the rest evenly from the sky in view.
+/// Sunlight on a facet [W m⁻²] without reflections by other facets: the beam and the circumsolar
+/// part of the diffuse light come from the sun's direction and share its shadow, one part comes
+/// from the horizon, the rest uniformly from the visible sky.
 ///
 /// - seen: normal · to_sun, not below 0, times the share of facet and disc not in shadow
 double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open);
-/// The same of a sky.
+/// The same for a sky.
 ///
 /// - sun_cosine: normal · to_sun
 /// - sun_fraction: share of facet and disc not in shadow, 0 to 1

@@ -12,7 +12,7 @@
 
 namespace diurna {
 
-/// Light over the clear sky's through the sunlit part of an interval, x = 0 to 1:
+/// Ratio of light to the clear sky's through the sunlit part of an interval, x = 0 to 1:
 /// k(x) = clamp(first + x (last − first) + 4 x (1 − x) bulge, 0, most).
 struct SunFactor {
     double first = 0.0, last = 0.0, bulge = 0.0, most = 50.0;
@@ -22,22 +22,22 @@ struct SunFactor {
 /// The course of sunlight through rows that are means over intervals (or values at instants).
 ///
 /// Within an interval light follows the clear sky's direct and diffuse light, times a clearness
-/// that runs straight from interval to interval and bulges in between until the interval's sum is
-/// that of its mean (to 1e-9 of it by the quadrature below): no light where the sun is down, none
-/// of the peaks that a mean divided by the sine of a low sun would have. Direct light stays below
-/// 1.1 of the clear sky's; what is beyond that (clouds' edges shine) counts as diffuse. Measured
-/// direct light is believed where its mean is more than that. Rows at instants: the clearness is
-/// straight between them.
+/// that is linear from interval to interval plus a bulge such that the interval's integral
+/// equals its mean (to 1e-9 by the quadrature below): no light with the sun down, and no peaks
+/// from dividing a mean by the sine of a low sun. Direct light stays below 1.1 of the clear
+/// sky's; the excess (reflections by cloud edges) counts as diffuse. Measured direct light is
+/// used even if its mean exceeds that. For rows at instants the clearness is linear between
+/// them.
 ///
-/// What was measured decides (thermal/weather/sun_rows.hpp). Rows with neither direct, diffuse nor
-/// global light are left to the clear sky and the cloud (`at` says so by NaN).
+/// Measured values take precedence (thermal/weather/sun_rows.hpp). Rows with neither direct,
+/// diffuse nor global light are left to the clear sky and the cloud (`at` returns NaN).
 class SunCourse {
  public:
-    /// Rows that matter from `from` to `to`; the others are skipped.
+    /// Uses the rows needed from `from` to `to`; the others are skipped.
     SunCourse(const Weather& weather, const Site& site, double elevation, const ClearSky& clear,
               Instant from, Instant to);
 
-    /// Direct and diffuse sunlight, NaN where no row reports. `clear` is clear_sunlight() then.
+    /// Direct and diffuse sunlight, NaN without a row. `clear` is clear_sunlight() then.
     Sunlight at(Instant when, const Sunlight& clear) const;
 
     /// Global sunlight over the clear sky's, by row of the weather; NaN: unknown, or a low sun

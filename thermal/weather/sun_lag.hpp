@@ -8,19 +8,21 @@
 
 namespace diurna {
 
-/// How far the course of measured sunlight is from the sun's.
+/// Time difference between the course of measured sunlight and that of the sun.
 struct SunLag {
     double seconds = 0.0;   // to be added to the weather's times; -12 h to 12 h
-    double fit = 0.0;       // correlation with the clear sky's light, the times so shifted
-    double as_it_is = 0.0;  // and unshifted
+    double fit = 0.0;       // correlation with the clear sky's light after the shift
+    double as_it_is = 0.0;  // and without a shift
 };
 
-/// Sunlight that was measured from `begin` to `end` against the clear sky of the place (Haurwitz
-/// 1945: 1098 s exp(-0.057/s) W m⁻² of the sine s of the sun's elevation), by their correlation at
-/// every shift. Both are taken as log(1 + E / 3 W m⁻²): so dawn and dusk weigh most, which clouds
-/// do not move, and a sample counts as the mean over its own interval.
+/// Compares sunlight measured from `begin` to `end` with the clear sky of the place
+/// (Haurwitz 1945: 1098 s exp(-0.057/s) W m⁻² of the sine s of the sun's elevation), by
+/// their correlation at every shift, both as log(1 + E / 3 W m⁻²): so dawn and dusk,
+/// which clouds do not shift, have most weight. A sample counts as the mean over its
+/// interval.
 ///
-/// Nothing where less than 20 h or fewer than 12 samples were measured, or no sun or no light was
+/// Nothing if less than 20 h or fewer than 12 samples were measured, or without sun or
+/// light.
 /// there.
 std::optional<SunLag> sun_lag(const Weather& weather, const Site& site, Instant begin, Instant end);
 

@@ -10,15 +10,15 @@
 
 namespace diurna {
 
-/// What became of a series' sunlight on its way to single instants, for the report.
+/// Treatment of a series' sunlight, for the report.
 struct SunCourseReport {
-    std::size_t separated = 0;    // rows of global sun alone, split by a model
-    std::size_t in_the_dark = 0;  // rows with more than 10 W/m² while the sun was down: skylight
+    std::size_t separated = 0;    // rows of only global sun, split by a model
+    std::size_t in_the_dark = 0;  // rows over 10 W/m² with the sun down: diffuse light
     double brightest_dark = 0.0;  // [W m⁻²] of those
-    std::size_t capped = 0;       // rows whose direct light was beyond a clear sky's by a tenth
+    std::size_t capped = 0;       // rows with direct light over 1.1 of a clear sky's
 };
 
-/// One line of that; empty where there is nothing to tell.
+/// The report in one line; empty if there is nothing to report.
 std::string tell(const SunCourseReport& report);
 
 /// A moment of a row's sunlit part under the clear sky, a point of a quadrature.
@@ -27,15 +27,15 @@ struct SunNode {
     double direct, sine, diffuse;  // [W m⁻²], of the sun's elevation, [W m⁻²]
 };
 
-/// A row of the weather as light over the clear sky's.
+/// A row of the weather as light relative to the clear sky's.
 struct SunRow {
     std::size_t sample = 0;
     double from = 0.0, to = 0.0, lit_from = 0.0, lit_to = 0.0;  // [s] since the series' first row
     bool known_direct = false, known_diffuse = false, lit = false;
-    bool horizontal = false;             // the direct light's sum is that on the horizontal
-    double direct = 0.0, diffuse = 0.0;  // over the clear sky's
-    bool rest = false;                   // the diffuse light is what direct leaves of the global
-    double most = 1.1;                   // of `direct` at any instant
+    bool horizontal = false;                     // the direct light's sum is that on the horizontal
+    double direct = 0.0, diffuse = 0.0;          // over the clear sky's
+    bool rest = false;                           // the diffuse light is global minus direct
+    double most = 1.1;                           // of `direct` at any instant
     double direct_normal = 0.0, skylight = 0.0;  // [W m⁻²] at its instant; in the dark its mean
     double clearness;  // global over the clear sky's; NaN: unknown or a low sun
     ClearSums clear{};
@@ -47,13 +47,14 @@ struct SunRow {
     double direct_sum() const { return horizontal ? clear.horizontal : clear.direct; }
 };
 
-/// The light of the rows from `first` to before `last`. What was measured decides: direct and
-/// diffuse each by itself; global with one of them gives the other; all three are made to add up
-/// (what is left over is the diffuse light's); global alone is split by `separation`, and as a
-/// clear sky splits it where it is as bright as one. A day brighter than the clear sky has clearer
-/// air: its haze is less, down to a twentieth where it is brighter by 8 %, which is all that haze
-/// does. Direct light is kept below 1.1 of the clear sky's, the rest is diffuse; measured direct
-/// light is believed.
+/// The light of the rows from `first` to before `last`. Measured values take
+/// precedence: direct and diffuse each separately; global with one of them
+/// gives the other; all three are made to add up (diffuse takes the
+/// difference); global alone is split by `separation`, and as in a clear sky if
+/// as bright as one. On days brighter than the clear sky the haze is reduced,
+/// to a twentieth at 8 %, the whole effect of haze. Direct light is limited to
+/// 1.1 of the clear sky's, the rest is diffuse; measured direct light is not
+/// limited.
 std::vector<SunRow> sun_rows(const Weather& weather, ClearCourse& clear, Separation separation,
                              std::size_t first, std::size_t last, SunCourseReport& report);
 

@@ -19,8 +19,8 @@ struct SkySpreads;
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
-/// The weather at one instant. Fluxes are NaN where nobody measured them; they are then modelled
-/// from air and cloud (thermal/weather/sky_state.hpp). A measured value always wins.
+/// The weather at one instant. Fluxes are NaN if they were not measured; they are then modelled
+/// from air and cloud (thermal/weather/sky_state.hpp). Measured values take precedence.
 struct Forcing {
     AirState air;
     double wind_speed = 1.0;               // [m s⁻¹] at the weather's wind_height
@@ -34,36 +34,36 @@ struct Forcing {
     double longwave_down = not_measured;   // [W m⁻²]
 };
 
-/// On the straight line from one to the other, at a share of the way; NaN unless both are measured.
+/// Linear interpolation between the two at a share of the interval; NaN unless both are measured.
 Forcing between(const Forcing& a, const Forcing& b, double share);
 
-/// What a time stamp says of its row: the mean over the interval that starts or ends there, or the
-/// value at that instant.
+/// What a time stamp means for its row: the mean over the interval that starts or ends there, or
+/// the value at that instant.
 enum class Stamp { start, end, instant };
 
-/// A series of weather, linear between its samples and constant beyond its ends; sunlight has a
-/// course of its own (thermal/weather/sun_course.hpp), rain falls evenly through its interval.
+/// A series of weather, linear between its samples and constant outside; sunlight has its own
+/// course (thermal/weather/sun_course.hpp), rain is constant over its interval.
 ///
 /// A mean over an interval counts as the value at the middle of the interval, so a series of means
 /// keeps its phase. A flux is NaN between two samples unless both are measured.
 struct Weather {
     std::vector<Instant> instant;  // ascending; never empty
-    std::vector<Forcing> sample;   // as many
-    std::vector<double> span{};    // [s] (sample) of the interval, about `instant`, that a sample
-                                   // is the mean of; 0, or the whole empty: its value there
+    std::vector<Forcing> sample;   // same length
+    std::vector<double> span{};    // [s] (sample) of the interval, centred on `instant`, of which
+                                   // it is the mean; 0, or all empty: an instantaneous value
     double wind_height = 10.0;     // [m] above the ground (above zero-plane displacement)
     double air_height = 2.0;       // [m] of temperature and humidity
-    double height = 0.0;           // [m] above the sea, of the ground where it was measured
-    std::string note{};            // what is absent and therefore modelled, one line; or empty
-    std::vector<Mistake> warnings{};    // what is implausible of the file or its station
-    std::optional<Geodetic> station{};  // where it was measured, if the file says so
-    /// Whether the file's columns may be declared in [weather.columns], its stamps in
-    /// weather.interval: what warnings advise.
+    double height = 0.0;           // [m] above the sea, of the ground at the station
+    std::string note{};            // missing values that are modelled, one line; or empty
+    std::vector<Mistake> warnings{};    // implausible values of the file or its station
+    std::optional<Geodetic> station{};  // the file's position of the station, if it has one
+    /// Whether the file's columns can be declared in [weather.columns], and its stamps in
+    /// weather.interval: used in warnings.
     bool declarable = true;
-    bool carried = true;  // to the height of each facet, from that of weather.height_m: scenes
-    /// The air above it, for scenes that name none; null: of the season, by all its rows.
+    bool carried = true;  // converted from weather.height_m to each facet's height: scenes
+    /// The air above it, for scenes without a profile; null: seasonal, from all its rows.
     std::shared_ptr<const Profile> above{};
-    /// How its scattered sunlight is spread over the sky; null: by perez_split().
+    /// Distribution of its scattered sunlight over the sky; null: by perez_split().
     std::shared_ptr<const SkySpreads> spreads{};
     /// Its light where heights differ by more than formulas say; null: nowhere.
     std::shared_ptr<const LightByHeight> by_height{};

@@ -5,13 +5,13 @@
 
 namespace diurna {
 
-/// What is made of measured weather, to ask what follows from its errors or from other weather.
+/// Changes of measured weather, to examine the effect of its errors or of other weather.
 struct WeatherChange {
     double warmer = 0.0;    // [K] added to the air's temperature; its vapour pressure stays
     double wind = 1.0;      // factor on its speed
     double humidity = 1.0;  // factor on its vapour pressure, at most to saturation over water
-    double sunlight = 1.0;  // factor on what was measured of it
-    double longwave = 1.0;  // factor on what was measured of the sky's; a modelled one follows air
+    double sunlight = 1.0;  // factor on measured sunlight
+    double longwave = 1.0;  // factor on measured longwave; modelled longwave follows the air
 
     bool operator==(const WeatherChange&) const = default;
 };
@@ -19,8 +19,8 @@ struct WeatherChange {
 /// [weather.changed].
 WeatherChange read_weather_change(const Section& weather);
 
-/// Changes every sample, and says so in the note; changes nothing where nothing is asked. Throws
-/// InputError at `where` for a factor on what nobody measured, which would do nothing.
+/// Changes every sample, and says so in the note; no effect without changes. Throws InputError at
+/// `where` for a factor on values that were not measured, which would have no effect.
 void change_weather(Weather& weather, const WeatherChange& change, const std::string& where);
 
 }  // namespace diurna

@@ -13,14 +13,14 @@ namespace diurna {
 /// ERA5 at a point as netCDF: variables by short names (thermal/weather_file/era5.hpp) over
 /// valid_time or time and dimensions of length one; packed values (scale_factor, add_offset,
 /// _FillValue) as in older files. Along a dimension expver (1 final, 5 preliminary) the first value
-/// that is there counts.
+/// present is used.
 ///
-/// Of an area, variables over latitude and longitude, the grid point is used that lies nearest to
-/// the site and has values (over the sea ERA5-Land has none); without a site that nearest to the
-/// area's middle. A note names it. Throws InputError for other dimensions longer than one.
+/// In an area, variables over latitude and longitude, the grid point nearest to the site that has
+/// values is used (over the sea ERA5-Land has none); without a site the one nearest to the area's
+/// middle. A note names it. Throws InputError for other dimensions longer than one.
 Era5Series read_era5_netcdf(const std::filesystem::path& file,
                             const std::optional<Geodetic>& site = {});
-/// The same of bytes that are at hand; `file` names them.
+/// The same for bytes in memory; `file` names them.
 Era5Series era5_netcdf_series(const std::filesystem::path& file, std::span<const std::byte> bytes,
                               const std::optional<Geodetic>& site = {});
 

@@ -16,7 +16,7 @@ namespace diurna {
 /// and strd [J m⁻²], tp [m].
 using Era5Values = std::map<std::string, std::vector<double>>;
 
-/// What one file of ERA5 holds, or several joined.
+/// Content of one file of ERA5, or of several joined.
 struct Era5Series {
     std::filesystem::path file;
     std::string format;                // "ERA5 netCDF"
@@ -25,7 +25,7 @@ struct Era5Series {
     Era5Values values{};
     std::optional<Geodetic> place{};
     std::vector<std::string> notes{};
-    std::vector<std::string> unused{};  // variables that were passed over
+    std::vector<std::string> unused{};  // variables that were skipped
 };
 
 }  // namespace diurna

@@ -12,7 +12,7 @@ inline constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 /// The rows of two ascending series in one order, each instant once.
 struct JoinedRows {
     std::vector<Instant> stamp;              // (row)
-    std::vector<std::size_t> first, second;  // (row) of either series; no_row: it has none
+    std::vector<std::size_t> first, second;  // (row) index in each series; no_row: absent
 };
 
 inline JoinedRows joined_rows(const std::vector<Instant>& a, const std::vector<Instant>& b) {

@@ -17,14 +17,14 @@ bool is_pvgis(std::string_view text);
 /// elevation and the irradiance time offset, the months' years, a line of columns (time(UTC), T2m,
 /// RH, G(h), Gb(n), Gd(h), IR(h), WS10m, WD10m, SP), rows, a legend.
 ///
-/// "20180708:0500" is the instant of air, wind and pressure; radiation is of the instant so many
-/// hours later as the offset says. Wind at 10 m, air at 2 m.
+/// "20180708:0500" is the instant of air, wind and pressure; radiation is that of the instant later
+/// by the offset in hours. Wind at 10 m, air at 2 m.
 ///
 /// A series of hours (seriescalc) has lines "Radiation database: ...", "Slope: 0 deg.", "Azimuth:
 /// ..." and columns time, G(i) or Gb(i), Gd(i), Gr(i), H_sun, T2m, WS10m, Int, and P where a PV
-/// system was calculated. All are of the instant of the time, UTC. G(i), or the sum of its three
-/// parts, is the global irradiance and Gd(i) the diffuse. Throws InputError where they are of an
-/// inclined plane or of one that follows the sun.
+/// system was calculated. All are values at that instant, UTC. G(i), or the sum of its three parts,
+/// is the global irradiance and Gd(i) the diffuse. Throws InputError if they are for an inclined
+/// plane or a tracking one.
 WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& asked);
 
 }  // namespace diurna

@@ -11,10 +11,10 @@ namespace diurna {
 /// What a column of a weather file may hold.
 enum class Quantity {
     air_temperature,    // [K]
-    dew_point,          // [K]; gives the humidity where that is not reported
+    dew_point,          // [K]; gives the humidity if that is absent
     relative_humidity,  // 0 to 1, over water
     pressure,           // [Pa] at the station
-    altimeter,          // [Pa] QNH: at the sea, by the standard atmosphere, from the station's
+    altimeter,          // [Pa] QNH: reduced to sea level, by the standard atmosphere
     wind_speed,         // [m s⁻¹]
     rain,               // [mm h⁻¹]
     cloud_fraction,     // 0 to 1
@@ -29,24 +29,24 @@ inline constexpr std::size_t quantity_count = 14;
 inline constexpr std::size_t index(Quantity q) { return static_cast<std::size_t>(q); }
 inline constexpr Quantity quantity_at(std::size_t i) { return static_cast<Quantity>(i); }
 
-/// What kind of value it is. States are of an instant in files whose stamps end intervals of
-/// sunlight; sunlight is none at night whatever a file says; others may be absent at any time.
+/// Kind of a quantity. States are instantaneous in files whose stamps end intervals of sunlight;
+/// sunlight is zero at night whatever a file says; others may be absent at any time.
 enum class QuantityKind { state, sunlight, longwave, other };
 
 struct QuantityFacts {
     const char* name;    // in [weather.columns]
     const char* column;  // of the program's own CSV, with its unit
-    double least, most;  // what no instrument on the ground has ever read lies outside
+    double least, most;  // limits beyond all records at the ground
     QuantityKind kind;
-    const char* modelled;  // what stands in for it, or null if nothing is said
+    const char* modelled;  // its replacement if absent, or null
 };
 const QuantityFacts& facts(Quantity quantity);
 std::optional<Quantity> quantity_named(std::string_view name);
 std::optional<Quantity> quantity_of_column(std::string_view column);
 std::vector<std::string> quantity_names();
 
-/// How a file's numbers become SI: factor · x + offset; sums over an interval are divided by its
-/// seconds besides.
+/// Conversion of a file's numbers to SI: factor · x + offset; sums over an interval are also
+/// divided by its seconds.
 struct Unit {
     double factor = 1.0;
     double offset = 0.0;
@@ -56,7 +56,7 @@ struct Unit {
 /// mph; mm/h, in/h, mm, in, m (of an interval); okta, tenths; W/m2, J/m2, kJ/m2, MJ/m2, Wh/m2 (of
 /// an interval). "" is SI's.
 std::optional<Unit> unit_named(Quantity quantity, std::string_view name);
-/// The words it may be, for messages.
+/// The allowed words, for messages.
 std::vector<std::string> unit_names(Quantity quantity);
 
 }  // namespace diurna

@@ -10,14 +10,14 @@
 
 namespace diurna {
 
-/// Reads a weather file of any format: recognise it, fill its gaps, place its rows.
+/// Reads a weather file of any format: detects the format, fills gaps, computes the series.
 ///
-/// The asked span must lie within what the file covers. One usual interval (a day at most) is
-/// allowed beyond either end, where the last row is held; the note says so. Throws InputError with
-/// the file's span and what was asked, with file:line:column for values that are no number or out
-/// of range and rows that do not ascend, and where `interval` contradicts the format.
+/// The requested span must be within the file's. One usual interval (a day at most) is allowed
+/// beyond either end, where the last row is held; the note says so. Throws InputError with the
+/// file's span and the requested one, with file:line:column for values that are no number or out of
+/// range and rows that do not ascend, and if `interval` contradicts the format.
 Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options = {});
-/// The same of several files of one format as one (weather_files.hpp).
+/// The same for several files of one format, joined (weather_files.hpp).
 Weather read_weather(std::span<const std::filesystem::path> files,
                      const WeatherOptions& options = {});
 

@@ -11,12 +11,12 @@ namespace diurna {
 struct WeatherPlace {
     std::optional<Site> site;
     double elevation = 0.0;     // [m] above the sea
-    bool height_named = false;  // the user has said at which height the weather was measured
-    bool carried = false;       // air and sky are taken from the station's height to the place's
+    bool height_named = false;  // the user has given the height of the measurement
+    bool carried = false;       // air and sky are converted to the place's height
 };
 
-/// Adds warnings where the station is more than 50 km (on a sphere of 6371 km) or 200 m of height
-/// from the place: it has measured another climate. None where the file names no place.
+/// Adds warnings if the station is more than 50 km (on a sphere of 6371 km) or 200 m of height from
+/// the place: its climate differs. None if the file names no place.
 void warn_of_place(WeatherTable& table, const WeatherPlace& place);
 
 /// Great-circle distance of two places [km].

@@ -7,11 +7,11 @@
 
 namespace diurna {
 
-/// What some programs begin a text with.
+/// Byte order mark at the start of some texts.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// A text file cut into lines, without their ends and the mark before the first. Not to be copied:
-/// the lines lie in `text`.
+/// A text file split into lines, without line ends and byte order mark. Not copyable: the lines
+/// refer to `text`.
 struct TextLines {
     std::filesystem::path path;
     std::string text;
@@ -21,11 +21,11 @@ struct TextLines {
     TextLines(const TextLines&) = delete;
     TextLines& operator=(const TextLines&) = delete;
 
-    /// "file:line" of a line, counted from 0 here and from 1 there.
+    /// "file:line" of a line; the argument counts from 0, the text from 1.
     std::string where(std::size_t at) const;
 };
 
-/// What stands between blanks.
+/// The words of a line, separated by blanks.
 std::vector<std::string_view> words_of(std::string_view line);
 /// Throws InputError(where) unless the word is a finite number.
 double number_in(std::string_view word, const std::string& where);

@@ -11,8 +11,9 @@ namespace diurna {
 /// or, as SolarAnywhere does, 00:00 of the next day.
 ///
 /// A line for the station, a line of column names, then one an hour in local standard time.
-/// Radiation and rain are of the hour that ends at the stamp, temperature, humidity, pressure, wind
-/// and cloud of that instant. -9900 and below is missing. Wind at 10 m, air at 2 m.
+/// Radiation and rain are of the hour that ends at the stamp, temperature, humidity,
+/// pressure, wind and cloud of that instant. -9900 and below is missing. Wind at 10 m, air at
+/// 2 m.
 WeatherTable read_tmy3(const std::filesystem::path& file, const AskedSpan& asked);
 
 }  // namespace diurna

@@ -9,11 +9,11 @@
 
 namespace diurna {
 
-/// The years that a weather is wanted for; empty: as the file says.
+/// The span for which a weather is requested; empty: that of the file.
 struct AskedSpan {
     Instant begin{}, end{};
-    /// [s] of the weather before and behind that is used too, where a file has it: the days that a
-    /// start is found from.
+    /// [s] of the weather before and after it that are used too, if a file has them: the days for
+    /// computing a start.
     double before = 0.0, behind = 0.0;
     bool any() const { return begin < end; }
     Instant first() const { return later(begin, -before); }
@@ -27,15 +27,15 @@ struct LocalRow {
     std::string where;
 };
 
-/// Puts rows of a local calendar into a table: `put_values(i)` puts those of row i, after its stamp
-/// was added.
+/// Adds rows of a local calendar to a table: `put_values(i)` adds the values of row i, after its
+/// stamp was added.
 ///
-/// Files of a typical year (EPW, TMY3) take each month from another year. Where the years of rows
-/// change otherwise than at New Year, the rows stand for every year that the span asked for
-/// touches (without one: for the year of the first row), and a note says so. Such years have no 29
-/// February; in a leap year the 28th stands for it too.
+/// Files of a typical year (EPW, TMY3) take each month from another year. If the years of rows
+/// change other than at New Year, the rows are used for every year of the requested span (without
+/// one: for the year of the first row), and a note says so. Such years have no 29 February; in a
+/// leap year the 28th is used for it too.
 ///
-/// declared_typical  the file says that it is one, whatever its years
+/// declared_typical  the file declares itself typical, whatever its years
 void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
                     WeatherTable& table, const std::function<void(std::size_t)>& put_values,
                     bool declared_typical = false);

@@ -18,15 +18,15 @@ enum class WeatherFormat {
     era5_zip
 };
 
-/// Recognises a file by its first lines, and by its extension where that promises a format; a zip
-/// archive by the weather file in it. Throws InputError where the two contradict each other.
+/// Detects a file's format by its first lines, and by its extension if that implies a format; for a
+/// zip archive by the weather file in it. Throws InputError if the two contradict each other.
 WeatherFormat weather_format(const std::filesystem::path& file);
 
-/// Whether a zip archive is one that the Climate Data Store gives: it holds netCDF files, or CSV of
-/// ERA5. False for what is no zip archive.
+/// Whether a zip archive is from the Climate Data Store: it holds netCDF files, or CSV of ERA5.
+/// False for other files.
 bool is_era5_zip(const std::filesystem::path& file);
-/// Whether it is that, or has one weather file as text in it (weather_text.hpp), as EPW and NSRDB
-/// are given out.
+/// Whether it is one, or holds one weather file as text (weather_text.hpp), as EPW and NSRDB are
+/// distributed.
 bool is_weather_zip(const std::filesystem::path& file);
 
 }  // namespace diurna

@@ -14,22 +14,23 @@
 namespace diurna {
 
 struct WeatherOptions {
-    /// What a time stamp means; none: as the format has it, or of CSV the end of an interval.
+    /// What a time stamp means; none: as in the format, or for CSV the end of an interval.
     std::optional<Stamp> interval{};
     std::optional<double> wind_height{};  // [m]; none: the format's, else 10
     std::optional<double> air_height{};   // [m]; none: the format's, else 2
-    double elevation = 0.0;               // [m] above the sea, of the place it is to stand for
-    /// [m] above the sea, of the ground below the instruments; none: what the file says of its
-    /// station if `at_station`, else `elevation`. Pressure that the file lacks is that height's.
+    double elevation = 0.0;               // [m] above the sea, of the place it is used for
+    /// [m] above the sea, of the ground below the instruments; none: the file's for its
+    /// station if `at_station`, else `elevation`. Pressure missing in the file is that of this
+    /// height.
     std::optional<double> height{};
     bool at_station = false;
     std::vector<DeclaredColumn> columns{};
-    std::vector<double> missing{};  // of CSV: numbers that mean that nothing was measured
-    int skip_lines = 0;             // of CSV: above the header
+    std::vector<double> missing{};  // for CSV: numbers that mark missing values
+    int skip_lines = 0;             // for CSV: above the header
     OnGap on_gap = OnGap::refuse;
     WeatherChange change{};
-    AskedSpan asked{};           // what must be covered; none: nothing in particular
-    std::optional<Site> site{};  // reports night from day, and whether the station is far away
+    AskedSpan asked{};           // span that must be covered; none: no check
+    std::optional<Site> site{};  // for night and day, and the station's distance
     std::string where_file = "weather.file";
     std::string where = "weather.interval";  // of `interval`: "scene.toml:12:1: weather.interval"
     std::string where_changed = "weather.changed";

@@ -2,8 +2,8 @@
 
 #include "terrain/objects/models/workpiece.hpp"
 
-/// The makers of objects, a file for each family; sizes are generic, of their kind. All stand on
-/// z = 0, in the middle of x and y but for what sticks out. Parts are those of materials/models.
+/// The makers of objects, a file for each family; sizes are generic. All are on z = 0, centred in x
+/// and y apart from protruding parts. Parts are those of materials/models.
 namespace diurna {
 
 // model_truck.cpp

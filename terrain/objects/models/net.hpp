@@ -4,8 +4,8 @@
 
 namespace diurna {
 
-/// Spreads a net over an object: an open sheet, part "net" of material "camouflage_net", that keeps
-/// `clearance` [m] above every vertex and falls away from there by one to one, to a hand over the
+/// Spreads a net over an object: an open sheet, part "net" of material "camouflage_net", at
+/// `clearance` [m] above every vertex, falling from there with slope 1:1 to about 10 cm above the
 /// ground.
 ///
 /// edge  [m] of its squares

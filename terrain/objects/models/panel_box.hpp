@@ -14,23 +14,23 @@ namespace diurna {
 enum class Side { left, right, back, front, bottom, top };
 
 /// A rectangle of one side that is another part: a window, a door. Across and up are (y, z) on left
-/// and right, (x, z) on back and front, (x, y) on bottom and top. It lies on the flat of its side.
+/// and right, (x, z) on back and front, (x, y) on bottom and top. It is on the flat of its side.
 struct BoxPanel {
     Side side;
     double across_from, across_to, up_from, up_to;  // [m]
     std::string part;
-    double recess = 0.0;  // [m] how far behind the side's face
+    double recess = 0.0;  // [m] depth behind the side's face
 };
 
 /// A box with rounded edges and corners, then bent.
 struct PanelBox {
     std::string part;
     Eigen::Vector3d low, high;
-    double radius = 0.0;  // [m] of edges and corners; Fineness may leave it sharp
+    double radius = 0.0;  // [m] of edges and corners; 0 possible by Fineness
     std::vector<BoxPanel> panels{};
     std::array<std::string, 6> side_part{};              // (Side) "": `part`
-    std::array<std::vector<double>, 3> further_lines{};  // (axis) places that get a lattice line
-    /// Where a point of the box goes: continuous, one to one, keeps the sense of turning.
+    std::array<std::vector<double>, 3> further_lines{};  // (axis) extra lattice lines
+    /// Deforms a point of the box: continuous, one to one, orientation-preserving.
     std::function<Eigen::Vector3d(const Eigen::Vector3d&)> bend{};
 };
 

@@ -10,7 +10,7 @@
 /// Plates with holes, belts and sheets.
 namespace diurna {
 
-/// Where a plate lies: its corner, its two unit directions, and that of its thickness across(u) x
+/// Position of a plate: its corner, its two unit directions; its thickness is along across(u) ×
 /// up(v).
 struct PlateFrame {
     Eigen::Vector3d corner, across, up;
@@ -34,7 +34,7 @@ void add_grille(Workpiece& work, const std::string& part, const PlateFrame& fram
 void add_belt(Workpiece& work, const std::string& part, const std::vector<Eigen::Vector2d>& path,
               double thickness, double x_from, double x_to);
 
-/// An open sheet over a lattice in plan that looks up.
+/// An open sheet over a lattice in plan, facing up.
 ///
 /// height  [m] of a place (x, y)
 void add_sheet(Workpiece& work, const std::string& part, const Eigen::Vector2d& low,

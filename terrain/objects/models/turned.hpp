@@ -6,19 +6,19 @@
 
 #include "terrain/objects/models/workpiece.hpp"
 
-/// Solids that are turned on a lathe.
+/// Solids of revolution.
 namespace diurna {
 
-/// A point of the profile; the piece from it to the next is of `part`.
+/// A point of the profile; the segment from it to the next belongs to `part`.
 struct ProfilePoint {
     double radius, along;  // [m]
     std::string part;
 };
 
-/// A closed solid: the profile, from the axis to the axis, turned about it. Circles have their
-/// first vertex straight below the axis (of an upright axis: at the back).
+/// A closed solid: the profile, from axis to axis, rotated about it. Circles have their first
+/// vertex directly below the axis (for a vertical axis: at the back).
 ///
-/// finest  circles have no more corners than that
+/// finest  maximum number of corners of circles
 void add_turned(Workpiece& work, const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
                 const std::vector<ProfilePoint>& profile, int finest = 64);
 

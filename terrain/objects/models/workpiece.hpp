@@ -10,7 +10,7 @@
 
 #include "terrain/objects/mesh_file.hpp"
 
-/// Objects built by code: a mesh that grows solid by solid. x to the right, y to the front, z up
+/// Objects built by code: a mesh built solid by solid. x to the right, y to the front, z up
 /// [m].
 namespace diurna {
 
@@ -29,29 +29,29 @@ struct Workpiece {
     Fineness fine;
 };
 
-/// The part of that name, a new one if there is none.
+/// The part of that name, a new one if it does not exist.
 std::uint16_t part_of_name(Workpiece& work, const std::string& name);
 
 std::uint32_t add_vertex(Workpiece& work, const Eigen::Vector3d& at);
 void add_triangle(Workpiece& work, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                   std::uint16_t part);
-/// Cut along its shorter diagonal.
+/// Split along its shorter diagonal.
 void add_quad(Workpiece& work, const std::array<std::uint32_t, 4>& corner, std::uint16_t part);
 
-/// What triangles from the one of that number on enclose, by the divergence theorem [m³]; positive
-/// where they look outward.
+/// Volume enclosed by the triangles from this index on, by the divergence theorem [m³]; positive if
+/// they face outward.
 double enclosed_volume(const MeshFile& mesh, std::size_t first_triangle = 0);
 
-/// Turns the solid that begins with that triangle outside out if it is inside out.
+/// Reverses the solid that begins with that triangle if it faces inward.
 void finish_solid(Workpiece& work, std::size_t first_triangle);
 
-/// Gives triangles of a part from the one of that number on to another part: those whose middle
-/// fits.
+/// Moves triangles of a part, from this index on, to another part: those whose centroid satisfies
+/// the condition.
 void relabel(Workpiece& work, std::size_t first_triangle, const std::string& from,
              const std::string& to, const std::function<bool(const Eigen::Vector3d&)>& fits);
 
-/// Ascending, each once (to a hundredth of a millimetre), further places between them until no step
-/// is longer than `edge`.
+/// Ascending, without duplicates (to a hundredth of a millimetre), with places inserted between
+/// them until no step is longer than `edge`.
 std::vector<double> refined(std::vector<double> places, double edge);
 
 }  // namespace diurna

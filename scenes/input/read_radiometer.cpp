@@ -1,5 +1,7 @@
 #include "scenes/input/read_radiometer.hpp"
 
+#include <fmt/format.h>
+
 #include "scenes/input/read_signature.hpp"
 
 namespace diurna {
@@ -35,6 +37,12 @@ std::vector<RadiometerInput> read_radiometers(const Section& root, const ScenePl
             .name = study_name(section, {"", "required"}, names),
             .stands = read_height(section, "height of the receivers", 1.1, {0.02, 1e4}),
             .where = section.where()};
+        constexpr double highest = 2e4;  // [m] above: no air as near the ground
+        if (input.stands.over != HeightOver::ground && input.stands.metres > highest) {
+            section.mistake(height_key(section),
+                            fmt::format("found {:g}, expected a number up to {:g}",
+                                        input.stands.metres, highest));
+        }
         if (input.name.empty()) section.mistake("name", "missing, expected a name");
         input.place =
             places.one(section, {"place_m", "place"}, "place of the receivers", input.stands);

@@ -94,7 +94,7 @@ std::vector<LightRatio> ratios_of(const LightOfInstant& light, const LitHour& ho
         }
         if (!field) continue;
         const SunFlux flux = field->flux(1e-3 * height);
-        const Sunlight formula = clear_sunlight(sun, air, height, clear);
+        const Sunlight formula = clear_sunlight(sun, air, height, reference_sky(clear));
         ratio.direct = over_formula(band_sum_nodes(solar, flux.direct), formula.direct_normal);
         ratio.diffuse = over_formula(band_sum_nodes(solar, flux.down), formula.diffuse_horizontal);
     }

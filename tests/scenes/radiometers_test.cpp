@@ -198,6 +198,10 @@ TEST_CASE("radiometers that cannot stand where they are put are refused",
         }
     }
     write_text(folder.path / "scene.toml",
+               text + "[[radiometer]]\nname = \"r\"\nplace_m = [5, 5]\nheight_above_sea_m = 5e4\n");
+    CHECK_THROWS_WITH(read_scene(folder.path / "scene.toml"),
+                      Catch::Contains("found 50000, expected a number up to 20000"));
+    write_text(folder.path / "scene.toml",
                text + "[[radiometer]]\nname = \"r\"\nplace_m = [5, 5]\nnormal = \"six\"\n");
     CHECK_FALSE(read_scene(folder.path / "scene.toml").radiometers.at(0).normal);
 }

@@ -69,10 +69,13 @@ Sunlight ineichen_clear_sky(double sun_elevation_deg, double distance_au, double
     return {direct, std::max(0.0, global - direct * cosine)};
 }
 
+LongwaveFormula formula_of_measured(const ClearSky& sky) {
+    return sky.longwave == LongwaveFormula::none ? LongwaveFormula::dilley_obrien : sky.longwave;
+}
+
 ClearSky in_vacuum(ClearSky sky) {
     sky.bare_sun = true;
     sky.longwave = LongwaveFormula::none;
-    sky.longwave_by_direction = false;
     return sky;
 }
 

@@ -28,6 +28,8 @@ struct ClearSky {
     /// there is no other light. With LongwaveFormula::none: a vacuum (in_vacuum()).
     bool bare_sun = false;
 };
+/// The formula beside which measured longwave is put: where there is one, some air sent it.
+LongwaveFormula formula_of_measured(const ClearSky& sky);
 /// The sky of a place without air: the sun as in space, black and cold all round.
 ClearSky in_vacuum(ClearSky sky);
 

@@ -27,6 +27,13 @@ std::pair<std::size_t, double> place_among(const std::vector<Value>& values, con
 
 }  // namespace
 
+ClearSky reference_sky(ClearSky clear) {
+    constexpr double usual_380nm = 0.52, usual_500nm = 0.36;
+    clear.aerosol_380nm = std::min(clear.aerosol_380nm, usual_380nm);
+    clear.aerosol_500nm = std::min(clear.aerosol_500nm, usual_500nm);
+    return clear;
+}
+
 LightRatio LightByHeight::at(Instant when, double at_height) const {
     const auto [i, later_share] = place_among(
         instant, when, [](Instant from, Instant to) { return seconds_between(from, to); });

@@ -4,10 +4,15 @@
 #include <vector>
 
 #include "terrain/place/instant.hpp"
+#include "thermal/weather/clear_sky.hpp"
 
 namespace diurna {
 
-/// A scene's light at a height over broadband formulas of a clear sky there.
+/// The clear sky whose formulas light is divided by: with no more aerosol than 23 km of visibility
+/// have, so that fog leaves something to divide by.
+ClearSky reference_sky(ClearSky clear);
+
+/// A scene's light at a height over broadband formulas of a clear sky there, reference_sky().
 struct LightRatio {
     double direct = 0.0, diffuse = 0.0;  // over clear_sunlight()
     double longwave = 1.0;               // over clear_longwave()

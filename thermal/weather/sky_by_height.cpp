@@ -21,8 +21,9 @@ double ratio(double there, double here) {
 /// that an overcast stays one; of a sky darker than the clear one here, by the clear skies' ratio.
 double carried_longwave(double here, const AirState& from, const AirState& to,
                         const ClearSky& clear) {
-    const double clear_here = clear_longwave(from, clear.longwave);
-    const double clear_there = clear_longwave(to, clear.longwave);
+    const LongwaveFormula formula = formula_of_measured(clear);
+    const double clear_here = clear_longwave(from, formula);
+    const double clear_there = clear_longwave(to, formula);
     if (!(clear_here > 0.0)) return here;
     if (here <= clear_here) return here * clear_there / clear_here;
     const auto black = [](const AirState& air) {
@@ -89,12 +90,13 @@ void take_air_longwave(const LightByHeight& air, const AirState& there, double h
 
 void thin_out(const Forcing& now, const AirState& there, const AirByHeight& rule, double height,
               const ClearSky& clear, SkyState& sky) {
-    const FormulaSun sun = formula_sun(sky, now, there, rule, height, clear);
-    const auto& [low, high] = sun;
     if (sky.by_height && sky.by_height->has_sunlight(height)) {
-        take_air_sunlight(*sky.by_height, sun, rule.station, height, sky);
+        take_air_sunlight(*sky.by_height,
+                          formula_sun(sky, now, there, rule, height, reference_sky(clear)),
+                          rule.station, height, sky);
         return;
     }
+    const auto [low, high] = formula_sun(sky, now, there, rule, height, clear);
     const double sine = sky.to_sun.z();
     const double global = ratio(high.direct_normal * sine + high.diffuse_horizontal,
                                 low.direct_normal * sine + low.diffuse_horizontal);

@@ -94,11 +94,12 @@ void take_longwave(const Forcing& forcing, const ClearSky& clear, SkyState& sky)
                                 ? clear_longwave(air, clear.longwave)
                                 : cloudy_longwave(air, forcing.cloud_fraction, clear.longwave);
     }
-    if (!clear.longwave_by_direction) return;
+    const bool dark = !measured && clear.longwave == LongwaveFormula::none;
+    if (!clear.longwave_by_direction || dark) return;
     // Overcast is even. Where only the flux was measured, Crawford and Duchon's cloud follows from
     // it; a sky darker than clear air's is so in all directions.
     const double black = stefan_boltzmann * power4(air.temperature);
-    const double cloudless = clear_longwave(air, clear.longwave);
+    const double cloudless = clear_longwave(air, formula_of_measured(clear));
     double share = 1.0 - forcing.cloud_fraction;
     if (measured) {
         share = sky.longwave_down < cloudless

@@ -12,8 +12,9 @@ namespace diurna {
 using HeightsLit = std::array<double, 3>;
 
 /// The light that falls on surfaces at three heights. Over less than 30 m the middle is the mean of
-/// the ends, and one height is computed once: the light of the sky bends over a span Δh by
-/// (Δh / 2 km)² / 8 of itself, 3e-5 of what a surface reflects of it (below 0.1 mK).
+/// the ends, and one height is computed once: the light of the sky bends over a span Δh by about
+/// (Δh / 2 km)² / 8 of itself, less than 1e-4 of what a surface reflects of it
+/// (tests/render/radiance_test.cpp), 0.1 mK.
 ///
 /// - scattered: scattered_sun() of these nodes, or null
 std::array<IncidentLight, 3> incident_at_heights(const RadianceInput& input,

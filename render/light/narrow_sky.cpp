@@ -15,9 +15,6 @@ constexpr auto whole = Eigen::Index(2 * sky_directions), functions = Eigen::Inde
 using Columns = Eigen::Matrix<float, whole, functions>;
 using Weights = Eigen::Matrix<float, whole, 1>;
 using Numbers = Eigen::Matrix<float, functions, 1>;
-/// Of those directions that a facet faces.
-using SomeColumns = Eigen::Matrix<float, Eigen::Dynamic, functions, Eigen::ColMajor, whole>;
-using SomeWeights = Eigen::Matrix<float, Eigen::Dynamic, 1, Eigen::ColMajor, whole, 1>;
 
 /// Directions of both halves, and the functions there.
 struct WholeSky {
@@ -71,34 +68,23 @@ NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
     static const WholeSky directions;
     // Shares come of rays and are not exact; and nowhere is it sure that nothing is seen.
     constexpr float slack = 1e-4f, least = 0.01f;
-    const Weights all =
+    const Weights cosine =
         (directions.direction * normal).cwiseMax(0.0f).cwiseProduct(directions.size);
-    std::array<Eigen::Index, whole> place;
-    Eigen::Index faced = 0;
-    for (Eigen::Index i = 0; i < whole; ++i) {
-        if (all[i] > 0.0f) place[std::size_t(faced++)] = i;
-    }
-    SomeColumns at(faced, functions);
-    SomeWeights cosine(faced);
-    for (Eigen::Index k = 0; k < faced; ++k) {
-        cosine[k] = all[place[std::size_t(k)]];
-        at.row(k) = directions.at.row(place[std::size_t(k)]);
-    }
     const Numbers shares = Eigen::Map<const Numbers>(sky.data());
-    SomeWeights before = cosine, found = SomeWeights::Zero(faced);
+    Weights before = cosine, found = Weights::Zero();
     for (int step = 0; step < 2; ++step) {
         if (step > 0) before = found.cwiseMin(cosine).cwiseMax(least * cosine);
-        const SomeColumns weighted = before.asDiagonal() * at;
-        Eigen::Matrix<float, functions, functions> gram = at.transpose() * weighted;
+        const Columns weighted = before.asDiagonal() * directions.at;
+        Eigen::Matrix<float, functions, functions> gram = directions.at.transpose() * weighted;
         gram.diagonal() *= 1.0f + slack;
         const Numbers factors =
             gram.cast<double>().ldlt().solve(shares.cast<double>()).cast<float>();
         found = weighted * factors;
     }
     const float counts = narrowness(sky[0]);
-    NarrowView view{};
-    for (Eigen::Index k = 0; k < faced; ++k) {
-        view[std::size_t(place[std::size_t(k)]) % sky_directions] += counts * found[k];
+    NarrowView view;
+    for (std::size_t k = 0; k < sky_directions; ++k) {
+        view[k] = counts * (found[Eigen::Index(k)] + found[Eigen::Index(k + sky_directions)]);
     }
     return view;
 }

@@ -28,7 +28,7 @@ struct BandLight {
     std::vector<NodeOptics> optics = {};         // (material)
     std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
-    LightByOrigin far_ground = {};  // far_ground_light(); empty: there is none
+    LightByOrigin far_ground = {};                    // far_ground_light(); empty: there is none
     std::optional<OnwardLight> from_far_ground = {};  // its sunlight; empty: it has none
 
     const ScatteredSun* sun_field() const { return scattered ? &*scattered : nullptr; }

@@ -38,7 +38,7 @@ TEST_CASE("the scene of measured days runs, and its stubble is as warm as measur
     const SpanResult result = solve_scene(Stages(prepared), progress);
     CAPTURE(result.start);
     CHECK(result.report.converged);
-    CHECK(result.start.find("weather of 3 days before") != std::string::npos);
+    CHECK(result.start.find("3 days of earlier weather") != std::string::npos);
 
     const FacetSet& facets = prepared.world.surfaces();
     const MaterialId stubble = prepared.scene.materials.find("crop_stubble");

@@ -264,7 +264,7 @@ inline std::vector<NaturalMistake> mistakes_of_commands() {
         says("--set of all observers at once", "check scene.toml --set observer.width=320",
              "--set observer.width=320", {"observer.NAME.width", "east"}),
         says("--set of a word where a number stands",
-             "check scene.toml --set observer.east.width=wide", "--set observer[0].width",
+             "check scene.toml --set observer.east.width=wide", "--set observer.east.width",
              {"wide", "1 to 16384"}),
         says("--out of a file", "run scene.toml --out july.csv", "--out: july.csv",
              {"is not a folder"}),

@@ -80,8 +80,8 @@ inline float seen_as_itself(const FacetViews& view, std::size_t facet) {
 
 /// Longwave from other facets minus that of the sky they hide, D = L_in − L_sky [W m⁻²]: neighbours
 /// emit ε σ T⁴ and reflect the rest. Zero for any emissivities if ground and sky have the same
-/// temperature. In two parts: radiosity of a facet minus the sky's radiance, (T33) of
-/// docs/theory.md,
+/// temperature. (T33) of docs/theory.md, in two parts: first the radiosity of a facet minus the
+/// sky's radiance:
 ///
 /// excess   previous D
 /// returns  ε (σ T⁴ − L_sky) + (1 − ε) D

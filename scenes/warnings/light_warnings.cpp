@@ -10,21 +10,23 @@ namespace diurna {
 
 namespace {
 
-/// What was measured of a sky that a vacuum does not have.
-void warn_of_sky_in_vacuum(const Prepared& prepared, std::vector<Mistake>& warnings) {
-    double diffuse = 0.0, longwave = 0.0;
+/// Light that was measured under a sky, which pictures of a vacuum do not have.
+void warn_of_light_in_vacuum(const Prepared& prepared, std::vector<Mistake>& warnings) {
+    double sun = 0.0, diffuse = 0.0, longwave = 0.0;
     for (const Forcing& f : prepared.weather.sample) {
+        sun = std::fmax(sun, std::fmax(f.shortwave_down, f.direct_normal));
         diffuse = std::fmax(diffuse, f.diffuse);
         longwave = std::fmax(longwave, f.longwave_down);
     }
     constexpr double little = 5.0;  // [W m⁻²]
-    if (diffuse <= little && longwave <= little) return;
+    if (sun <= little && diffuse <= little && longwave <= little) return;
     warnings.push_back(
         {fmt::format("{}: atmosphere.profile", prepared.scene.file.string()),
-         fmt::format("the sky of a vacuum is black in pictures, but the weather has up to {:.0f} "
-                     "W/m2 of diffuse light and {:.0f} W/m2 of longwave, which the heat balance "
-                     "uses",
-                     diffuse, longwave),
+         fmt::format(
+             "pictures of a vacuum have the sun in space and a black sky, but the weather "
+             "has up to {:.0f} W/m2 of sun, {:.0f} W/m2 of diffuse light and {:.0f} W/m2 of "
+             "longwave, which the heat balance uses",
+             sun, diffuse, longwave),
          "remove these columns, or name a profile"});
 }
 
@@ -51,7 +53,7 @@ std::vector<Mistake> light_warnings(const Prepared& prepared) {
                             "different ways",
                             "measure global or direct and diffuse light; `diurna column` uses it"});
     }
-    if (scene.air.vacuum) warn_of_sky_in_vacuum(prepared, warnings);
+    if (scene.air.vacuum) warn_of_light_in_vacuum(prepared, warnings);
     return warnings;
 }
 

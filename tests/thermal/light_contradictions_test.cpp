@@ -57,6 +57,21 @@ TEST_CASE("diffuse light above the global is reported", "[thermal][weather][warn
     CHECK(found(hours(forcing(200.0, not_measured, not_measured))).empty());
 }
 
+TEST_CASE("a beam above the global and light that comes back from nowhere are reported",
+          "[thermal][weather][warnings]") {
+    // 900 sin(75.5 deg) = 871 at noon; at 10 and 14 h the sun is at 55 degrees: 740.
+    const auto beams = found(hours(forcing(200.0, 900.0, not_measured)));
+    REQUIRE(beams.size() == 1);
+    CHECK_THAT(beams[0].line(), Contains("900") && Contains("200") && Contains("4 more"));
+    CHECK(found(hours(forcing(860.0, 900.0, not_measured))).empty());
+    Forcing snow = forcing(500.0, not_measured, not_measured);
+    snow.shortwave_up = 600.0;
+    REQUIRE(found(hours(snow)).size() == 1);
+    CHECK_THAT(found(hours(snow))[0].line(), Contains("600") && Contains("500"));
+    snow.shortwave_up = 470.0;
+    CHECK(found(hours(snow)).empty());
+}
+
 TEST_CASE("an overcast beside a strong beam is reported", "[thermal][weather][warnings]") {
     const auto warnings = found(hours(forcing(not_measured, 800.0, 100.0, 1.0)));
     REQUIRE(warnings.size() == 1);

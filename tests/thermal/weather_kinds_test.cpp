@@ -185,6 +185,41 @@ TEST_CASE("times stand in several columns, codes are missing", "[thermal][weathe
         "no column for the day"));
 }
 
+// A logger's export (month first, half days) and a German one (day first), as their makers write
+// them: 28 July 2021, 1:30 PM in Denver is 19:30 UTC; 13:30 in Munich is 11:30 UTC.
+TEST_CASE("dates begin with the month or the day where that is declared",
+          "[thermal][weather_file]") {
+    const ScratchFolder folder("date_order");
+    const auto file = folder.path / "logger.csv";
+    const auto read = [&](const char* rows, const char* says) {
+        write_text(file, std::string("Date Time,T\n") + rows);
+        return read_weather(file, {.interval = Stamp::instant,
+                                   .columns = {declared_column("Date Time", says, "x"),
+                                               declared_column("T", "air_temperature degC", "x")}});
+    };
+    CHECK(read("7/28/2021 1:30 PM,30\n7/28/2021 2:00 PM,31\n", "time_mdy -06:00").instant.front() ==
+          instant("2021-07-28T19:30:00Z"));
+    CHECK(read("07/28/2021 12:15 AM,30\n07/28/2021 12:45:30 PM,31\n", "time_mdy UTC").instant ==
+          std::vector<Instant>{instant("2021-07-28T00:15:00Z"), instant("2021-07-28T12:45:30Z")});
+    CHECK(read("28.07.2021 13:30,30\n28.07.2021 14:00,31\n", "time_dmy +02:00").instant.front() ==
+          instant("2021-07-28T11:30:00Z"));
+    CHECK(read("2021/07/28 13:30,30\n2021/07/28 14:00,31\n", "time UTC").instant.front() ==
+          instant("2021-07-28T13:30:00Z"));
+
+    const auto problem = [&](const char* rows, const char* says) -> std::string {
+        try {
+            read(rows, says);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(has(problem("28.07.2021 13:30,30\n", "time UTC"), "time_dmy -07:00"));
+    CHECK(has(problem("7/28/2021 13:30,30\n", "time_dmy UTC"), "2:1"));
+    CHECK(has(problem("7/28/21 13:30,30\n", "time_mdy UTC"), "7/28/2021 (month, day, year)"));
+    CHECK(has(problem("7/28/2021 13:30 PM,30\n", "time_mdy UTC"), "expected 1 to 12"));
+}
+
 TEST_CASE("a column that nobody reads and a far station are warned of", "[thermal][weather_file]") {
     const ScratchFolder folder("warned");
     const auto file = folder.path / "w.csv";

@@ -55,13 +55,19 @@ std::vector<Mistake> light_contradictions(const Weather& weather, const Site& si
     Contradiction parts{
         "diffuse light is a part of the global: the global is used and all of it is diffuse; check "
         "the columns"};
+    Contradiction beams{
+        "direct light on the horizontal is a part of the global: check the units of the two "
+        "columns, and that direct is on a plane facing the sun"};
+    Contradiction returned{
+        "the ground cannot reflect more than it receives: check the two columns"};
     Contradiction overcast{
         "an overcast sky has no beam: sunlight is used as it was measured; check the cloud "
         "column's unit and time"};
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
         const Forcing& f = weather.sample[i];
-        const bool compares = !std::isnan(f.direct_normal) || !std::isnan(f.diffuse);
+        const bool compares =
+            !std::isnan(f.direct_normal) || !std::isnan(f.diffuse) || !std::isnan(f.shortwave_up);
         if (when < begin || when > end || !compares) continue;
         const double sine = mean_sun_sine(site, when, weather.span_of(i));
         if (sine < low_sun_sine) continue;
@@ -80,6 +86,19 @@ std::vector<Mistake> light_contradictions(const Weather& weather, const Site& si
                             "at {}",
                             f.diffuse, global, format_instant(when)));
         }
+        const double beam = f.direct_normal * sine;
+        if (std::isnan(f.diffuse) && beam > dim && beam > 1.25 * global + 10.0) {
+            beams.add(fmt::format(
+                "found direct_normal_W_m2 = {:.4g} at {}, which gives {:.4g} on the horizontal, "
+                "above shortwave_down_W_m2 = {:.4g}",
+                f.direct_normal, format_instant(when), beam, global));
+        }
+        if (f.shortwave_up > dim && f.shortwave_up > 1.1 * global) {
+            returned.add(
+                fmt::format("found shortwave_up_W_m2 = {:.4g} above shortwave_down_W_m2 = {:.4g} "
+                            "at {}",
+                            f.shortwave_up, global, format_instant(when)));
+        }
         if (f.cloud_fraction >= 0.95 && f.direct_normal >= 400.0) {
             overcast.add(fmt::format(
                 "found cloud_fraction = {:.3g} beside direct_normal_W_m2 = {:.4g} at {}",
@@ -87,7 +106,8 @@ std::vector<Mistake> light_contradictions(const Weather& weather, const Site& si
         }
     }
     std::vector<Mistake> warnings;
-    for (const Contradiction& kind : {sums, parts, overcast}) kind.report(where, warnings);
+    for (const Contradiction& kind : {sums, parts, beams, returned, overcast})
+        kind.report(where, warnings);
     return warnings;
 }
 

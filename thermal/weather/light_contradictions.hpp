@@ -17,6 +17,9 @@ namespace diurna {
 ///   (BSRN's limits for good instruments are 8 and 15 %, Long & Shi 2008); direct and diffuse light
 ///   are used then (sun_rows.hpp)
 /// - without direct light: diffuse light above the global by a tenth and 10 W/m2 (BSRN: 5 to 10 %)
+/// - without diffuse light: direct light on the horizontal above the global by a quarter and 10
+/// W/m2
+/// - reflected light above the global by a tenth
 /// - an overcast (cloud fraction 0.95 or more) beside a direct beam of 400 W/m2 or more: WMO counts
 ///   120 W/m2 as sunshine, thin cirrus may pass 300
 ///

@@ -9,6 +9,13 @@ namespace diurna {
 
 Instant stamp_in(std::string text, double offset_h, const std::string& where) {
     constexpr std::size_t date_length = 10;  // of 2022-01-01
+    if (text.size() >= date_length && text[4] == '/' && text[7] == '/') text[4] = text[7] = '-';
+    if (const std::size_t mark = text.find_first_of("/."); mark == 1 || mark == 2) {
+        throw InputError(where, "found '" + text.substr(0, 40) + "', expected ISO 8601",
+                         "write it as 2003-10-17T12:30:30-07:00, or declare its order: "
+                         "[weather.columns] time = \"time_mdy -07:00\" (month first) or "
+                         "\"time_dmy -07:00\" (day first)");
+    }
     if (text.size() > date_length && text[date_length] == ' ') text[date_length] = 'T';
     if (text.size() > date_length + 4 && text.ends_with(" UTC")) {
         text.replace(text.size() - 4, 4, "Z");

@@ -11,11 +11,28 @@
 namespace diurna {
 
 /// Content of a column of times: the whole ("2021-07-08T13:30:00Z"), a date ("2021-07-08",
-/// "20210708"), a time of day ("13:30", "13:30:05", "1330"), or a number of one part.
-enum class TimePart { whole, date, clock, year, month, day, day_of_year, hour, minute, second };
+/// "20210708"), a time of day ("13:30", "13:30:05", "1330", "1:30 PM"), or a number of one part.
+/// With _dmy the day comes first ("08.07.2021", "8/7/2021 13:30"), with _mdy the month
+/// ("7/8/2021 1:30 PM").
+enum class TimePart {
+    whole,
+    whole_dmy,
+    whole_mdy,
+    date,
+    date_dmy,
+    date_mdy,
+    clock,
+    year,
+    month,
+    day,
+    day_of_year,
+    hour,
+    minute,
+    second
+};
 
-/// From the words of [weather.columns]: time, date, clock, year, month, day, day_of_year, hour,
-/// minute, second.
+/// From the words of [weather.columns]: time, time_dmy, time_mdy, date, date_dmy, date_mdy, clock,
+/// year, month, day, day_of_year, hour, minute, second.
 std::optional<TimePart> time_part_named(std::string_view word);
 std::vector<std::string> time_part_names();
 

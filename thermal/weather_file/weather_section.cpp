@@ -17,12 +17,13 @@ std::optional<double> height_or(const Section& section, const char* key, const c
 std::vector<DeclaredColumn> read_columns(const Section& columns) {
     std::vector<DeclaredColumn> declared;
     for (const std::string& name : columns.free_keys()) {
-        const std::string says =
-            columns.text(name,
-                         "content and unit of the file's column of this name: \"time UTC\", "
-                         "\"air_temperature degC\", \"wind_speed kn\"; for a time in several "
-                         "columns: \"year UTC\", \"month\", \"day\", \"hour\", \"minute\"; "
-                         "thermal/weather_file/README.md lists quantities and units");
+        const std::string says = columns.text(
+            name,
+            "content and unit of the file's column of this name: \"time UTC\", "
+            "\"air_temperature degC\", \"wind_speed kn\"; for a time in several "
+            "columns: \"year UTC\", \"month\", \"day\", \"hour\", \"minute\"; for dates that begin "
+            "with the month or the day: \"time_mdy UTC\", \"time_dmy UTC\"; "
+            "thermal/weather_file/README.md lists quantities and units");
         try {
             declared.push_back(declared_column(name, says, columns.where(name)));
         } catch (const InputError& error) {

@@ -48,7 +48,7 @@ struct Direction {
     /// (where it is no peak) by the scaled one.
     double peaked;
     std::array<std::vector<double>, 3> phase;  // of the parts of the aerosol, (bin)
-    std::vector<double> excess;                // (bin) light the peak loses on its way
+    std::vector<double> excess;                // (bin) light the peak loses before the eye
 };
 
 Direction direction_of(const Medium& medium, double turn) {
@@ -320,69 +320,66 @@ namespace {
 
 constexpr double nothing = 1e-3;  // of light: no more of it is followed
 
-/// Of a line that falls through the cloud, where it is covered: what is lit before the cloud, the
-/// cloud's top (as bright under every angle), and what comes through it from below.
-ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
+/// Of a line through the cloud, where it is covered: the light scattered before the cloud, the face
+/// of the cloud and the share `through` of the light beyond, times `scale`.
+///
+/// - face: (bin) irradiance that the face seen sends, 0 where negative
+template <class Face>
+ScatteredLight light_with_cloud(const SunlitAir& air, const SightLine& line,
                                 const CloudCrossing& crossing, std::span<const double> turn,
-                                const SightLine& onward) {
-    const SightLine over = line_before(line, crossing), under = line_behind(line, crossing);
-    const BandModel& model = air.model;
-    const double through = std::exp(-model.cloud.optical_depth / crossing.cosine);
-    ScatteredLight light = scattered_light(air, over, turn, true, true, onward);
-    const std::size_t base = air.at_height(model.cloud.base_km).low;
-    const std::vector<double>&below = air.cloudy.up.value[base],
-          &above = air.cloudy.up.value[base + 1];
-    const std::vector<double> tau = transmittance(model, joined(onward, over), air.bins);
+                                const SightLine& onward, const Face& face, double through,
+                                double scale) {
+    const SightLine before = line_before(line, crossing), beyond = line_behind(line, crossing);
+    ScatteredLight light = scattered_light(air, before, turn, true, true, onward);
+    const SightLine to_eye = joined(onward, before);
+    const std::vector<double> tau = transmittance(air.model, to_eye, air.bins);
     for (std::size_t b = 0; b < tau.size(); ++b) {
-        const double top =
-            tau[b] * std::max(0.0, above[b] - through * below[b]) * std::numbers::inv_pi;
-        for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += top;
+        const double seen = tau[b] * std::max(0.0, face(b)) * std::numbers::inv_pi;
+        for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += seen;
     }
-    if (through > nothing && under.size() > 0) {
-        const ScatteredLight rest =
-            scattered_light(air, under, turn, true, true, joined(onward, over));
-        const double share = through * model.scale.diffuse;
-        for (std::size_t b = 0; b < tau.size(); ++b) {
-            for (std::size_t a = 0; a < turn.size(); ++a) {
-                light.at_turn[a][b] += share * rest.at_turn[a][b];
-            }
-            light.by_cosine[b] += share * rest.by_cosine[b];
+    if (through <= nothing || beyond.size() == 0) return light;
+    const ScatteredLight rest = scattered_light(air, beyond, turn, true, true, to_eye);
+    const double share = through * scale;
+    for (std::size_t b = 0; b < tau.size(); ++b) {
+        for (std::size_t a = 0; a < turn.size(); ++a) {
+            light.at_turn[a][b] += share * rest.at_turn[a][b];
         }
+        light.by_cosine[b] += share * rest.by_cosine[b];
     }
     return light;
 }
 
-/// Of a line that rises through the cloud, where it is covered: what is lit below the cloud, the
-/// cloud's base, and what comes through it from beyond. So what stands behind a thick cloud looks
-/// like the sky beside it.
+double through_cloud(const BandModel& model, const CloudCrossing& crossing) {
+    return std::exp(-model.cloud.optical_depth / crossing.cosine);
+}
+
+/// Of a line that falls through the cloud: its top, equally bright at every angle, and the light
+/// from below it.
+ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
+                                const CloudCrossing& crossing, std::span<const double> turn,
+                                const SightLine& onward) {
+    const BandModel& model = air.model;
+    const double through = through_cloud(model, crossing);
+    const std::size_t base = air.at_height(model.cloud.base_km).low;
+    const std::vector<double>&below = air.cloudy.up.value[base],
+          &above = air.cloudy.up.value[base + 1];
+    const auto top = [&](std::size_t b) { return above[b] - through * below[b]; };
+    return light_with_cloud(air, line, crossing, turn, onward, top, through, model.scale.diffuse);
+}
+
+/// Of a line that rises through the cloud: its base and the light from above it. So objects behind
+/// a thick cloud look like the sky beside them.
 ScatteredLight light_under_cloud(const SunlitAir& air, const SightLine& line,
                                  const CloudCrossing& crossing, std::span<const double> turn,
                                  const SightLine& onward) {
-    const SightLine under = line_before(line, crossing), over = line_behind(line, crossing);
     const BandModel& model = air.model;
-    const double through = std::exp(-model.cloud.optical_depth / crossing.cosine);
-    ScatteredLight light = scattered_light(air, under, turn, true, true, onward);
+    const double through = through_cloud(model, crossing);
     const std::size_t drops = air.at_height(model.cloud.base_km).low;
     const std::vector<double>&below = air.cloudy.down.value[drops],
           &above = air.cloudy.down.value[drops + 1];
     const double shape = base_brightness(model.cloud, crossing.cosine);
-    const std::vector<double> tau = transmittance(model, joined(onward, under), air.bins);
-    for (std::size_t b = 0; b < tau.size(); ++b) {
-        const double shining = shape * below[b] - through * above[b];
-        const double seen = tau[b] * std::max(0.0, shining) * std::numbers::inv_pi;
-        for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += seen;
-    }
-    if (through > nothing && over.size() > 0) {
-        const ScatteredLight rest =
-            scattered_light(air, over, turn, true, true, joined(onward, under));
-        for (std::size_t b = 0; b < tau.size(); ++b) {
-            for (std::size_t a = 0; a < turn.size(); ++a) {
-                light.at_turn[a][b] += through * rest.at_turn[a][b];
-            }
-            light.by_cosine[b] += through * rest.by_cosine[b];
-        }
-    }
-    return light;
+    const auto base = [&](std::size_t b) { return shape * below[b] - through * above[b]; };
+    return light_with_cloud(air, line, crossing, turn, onward, base, through, 1.0);
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ PathSpectrum band_model_path(const BandModel& model, const SightLine& whole,
     };
     for (std::size_t segment = 0; segment < line.size(); ++segment) {
         meet_clouds(segment);
-        // What a whole cover hides is not asked for.
+        // Nothing beyond a full cloud cover is visible: it is not computed.
         if (met == nullptr &&
             std::all_of(gap.begin(), gap.end(), [](double g) { return g == 0.0; }))
             return {std::move(near.transmittance), std::move(radiance)};

@@ -43,7 +43,7 @@ struct LitLayers {
     std::vector<std::vector<double>> beam;      // (level)(bin)
 };
 
-/// Sunlight by height, per bin: what the beam has met on its way, and what two streams carry of the
+/// Sunlight by height, per bin: what the beam has passed, and what two streams carry of the
 /// light it lost. All that a SunField keeps.
 struct SunlitAir {
     BandModel model;
@@ -76,7 +76,7 @@ SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<cons
 /// The same air and sun under another cloud.
 SunlitAir sunlit_air_under(SunlitAir air, const CloudLayer& cloud);
 
-/// What the beam has met on its way to a height.
+/// What the beam has passed above a height.
 Amounts amounts_to_sun(const SunlitAir& air, const Medium& medium, const HermiteWeights& height);
 
 }  // namespace diurna

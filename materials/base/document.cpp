@@ -20,7 +20,7 @@ namespace diurna {
 
 namespace {
 
-/// Notes the keys of a table, and of those in it, that nobody asked for.
+/// Notes the keys of a table, and of those in it, that no reader requested.
 void note_unasked(DocumentState& state, const toml::table& table, const std::string& path) {
     const auto found = state.table.find(path);
     if (found == state.table.end()) return;  // the reader stopped at a mistake above it

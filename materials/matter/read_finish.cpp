@@ -201,11 +201,11 @@ void average_over_hemisphere(const Section& section, Material& material) {
 
 }  // namespace
 
-void read_finish(const Section& section, bool anew, Material& material) {
+void read_finish(const Section& section, bool renewed, Material& material) {
     if (section.has("finish")) {
         material.finish = read_law(section.section("finish", finish_says), material.reflectance);
     }
-    if (anew) average_over_hemisphere(section, material);
+    if (renewed) average_over_hemisphere(section, material);
 }
 
 std::optional<IndexReach> index_reach(const Section& section, const Glossy& finish) {

@@ -23,9 +23,9 @@ namespace diurna {
 /// are those of its strips. With a finish other than Lambert the broadband emissivity becomes the
 /// hemispherical one, unless it was given.
 ///
-/// anew  whether those means come from new spectra or a new finish; else they stay the
-///       hemispherical ones
-void read_finish(const Section& section, bool anew, Material& material);
+/// renewed  whether those means come from new spectra or a new finish; otherwise they stay the
+///          hemispherical ones
+void read_finish(const Section& section, bool renewed, Material& material);
 
 /// Description of a material's `finish`.
 inline constexpr const char* finish_says = "reflectance as a function of angle";

@@ -26,7 +26,7 @@ struct StageShare {
     double share = 0.0;
 };
 
-/// Progress on its way from the thread that works to the one that waits.
+/// Progress passed from the thread that works to the one that waits.
 class ProgressQueue {
  public:
     void add(const std::string& stage, double share) {

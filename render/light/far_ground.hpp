@@ -24,7 +24,7 @@ LightByOrigin far_ground_light(const RadianceInput& input, std::span<const doubl
 LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
                                const IncidentLight& falls);
 
-/// The far plain's sunlight on its way to an eye, at a band's nodes. Refers to the input's air.
+/// Path of the far plain's sunlight to an eye, at a band's nodes. Refers to the input's air.
 OnwardLight onward_from_plain(const RadianceInput& input, std::span<const double> node_um);
 
 }  // namespace diurna

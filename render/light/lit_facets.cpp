@@ -126,7 +126,7 @@ void add_sources(const FacetViews& views, const Reached& found,
     }
 }
 
-/// Facets on both sides of a height where light jumps.
+/// Facets on both sides of a height at which light has a step.
 void set_heights_about_edge(const std::vector<double>& height_km, double edge_km, LitFacets& lit) {
     double least = edge_km, below = -1e9, above = 1e9, most = edge_km;
     for (const double z : height_km) {

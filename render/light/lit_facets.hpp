@@ -52,7 +52,7 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
                      std::span<const Band> bands);
 
 /// Weights of the least, middle and greatest height for a height of −1 to 1: a quadratic, as
-/// optical depths fall off exponentially with height. Where light jumps in between
+/// optical depths fall off exponentially with height. If light has a step in between
 /// (RadianceInput::light_edge_km): 4 to 5 straight from the first height to the second, 8 the
 /// third.
 inline constexpr float straight_height = 4.0f, height_above_edge = 8.0f;

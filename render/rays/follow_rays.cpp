@@ -153,7 +153,7 @@ struct PixelWalks {
     }
 
  private:
-    /// - values: what each sample shows, if asked for
+    /// - values: what each sample shows; null: not requested
     std::vector<SecondaryRay> walked(std::size_t p, int samples, int lobe_rays, std::uint64_t seed,
                                      std::vector<double>* values) const {
         const auto [columns, rows] = nearly_square(samples);

@@ -18,7 +18,7 @@ constexpr int most_through = 8, most_mirrored = 2;
 
 double past_whole(double x) { return x - std::floor(x); }
 
-/// A ray on its way.
+/// A ray in progress.
 struct Walker {
     Eigen::Vector3d origin, direction;
     double near = 0.0;    // [m] from the origin: what is nearer is the surface it comes from

@@ -36,7 +36,7 @@ struct PlanCosts {
     double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
     double secondary_per_ray =
         15e-6;                     // that goes on off water or a mirror, through a pane or a net
-    double samples_by_need = 3.0;  // of such a pixel, over those asked for (follow_rays.hpp)
+    double samples_by_need = 3.0;  // of such a pixel, over those requested (follow_rays.hpp)
     double secondary_per_root =
         3.2e-3;  // and band, frame: root of the pixels that send rays on; what
                  // they meet and its air are shared, the more the more there are

@@ -46,7 +46,7 @@ SeriesFiles series_in(const fs::path& folder) {
     return all;
 }
 
-/// The one that is asked for.
+/// The requested one.
 SeriesFiles::value_type chosen(const MovieOptions& options) {
     SeriesFiles all = series_in(options.folder);
     std::vector<std::string> known;

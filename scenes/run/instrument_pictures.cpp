@@ -190,7 +190,7 @@ Taking::Messages Taking::take_frame(std::size_t k) const {
     reported.integration_time = shot.integration_time;
     reported.saturated = shot.saturated;
     reported.dead = shot.dead;
-    // Only what seen_flux() left: a picture may be taken anew.
+    // Only what seen_flux() left: a picture may be taken again.
     std::erase_if(frame.planes, [&](const Plane& plane) {
         return plane.name != "flux." + band && plane.name != "radiance." + band &&
                plane.name != "apparent_temperature." + band;

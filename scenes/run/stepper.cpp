@@ -210,7 +210,7 @@ void Stepper::put(const std::string& object, const Eigen::Isometry3d& pose) {
     if (since >= 0.5 * s.length()) {
         s.solve_ahead();  // with all where it was: the move counts from the next step on
     } else if (s.field.instant.size() == 2) {
-        s.field = row_of(s.field, 0);  // the step on the way is to be solved anew
+        s.field = row_of(s.field, 0);  // the step in progress is solved again
         s.ahead.reset();
     }
     s.poses[mover] = pose;

@@ -20,7 +20,7 @@ struct At {
     double time, value;
 };
 
-/// What is asked for within [first, last] s.
+/// Requested crossings within [first, last] s.
 struct Asked {
     const Difference& difference;
     double first, last;

@@ -29,7 +29,7 @@ struct Body {
     std::vector<std::uint32_t> facet{};
     Eigen::AlignedBox3f box{};
     bool closed = true;                       // no sheet among them
-    mutable std::unique_ptr<RayScene> own{};  // cast when first asked for
+    mutable std::unique_ptr<RayScene> own{};  // built at the first request
     mutable std::unique_ptr<FacetSet> facets{};
     const RayScene& rays(const FacetSet& all) const {
         if (!own) {

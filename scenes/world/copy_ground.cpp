@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2d> ring_of(const Tile& tile, double edge) {
 std::vector<GroundPatch> patches_round(std::span<const ObjectInput> copies) {
     std::vector<GroundPatch> own;
     std::map<Tile, int> asked;  // how many copies ask for a tile
-    // So that rounding does not make the sides longer than what is asked for.
+    // So that rounding does not make the sides longer than requested.
     const double edge = 0.999 * ground_patch(copies.front(), copies.front().place).largest_edge;
     const double side = edge * edges_of_tile;
     const auto each_tile = [&](const GroundPatch& patch, const auto& body) {

@@ -105,7 +105,7 @@ class Tracks {
     }
 
  private:
-    // So that rounding does not make the sides longer than what is asked for.
+    // So that rounding does not make the sides longer than requested.
     double lattice() const { return 0.999 * edge_; }
     double side() const { return lattice() * edges_a_tile; }
 

@@ -14,7 +14,7 @@ namespace diurna {
 
 std::vector<double> geoid_heights(std::span<const Geodetic> places) {
     const QuietGdal gdal;
-    // Made once per thread: places on ways are asked for one by one.
+    // Made once per thread: places on trajectories are requested one by one.
     thread_local const Transformation shift =
         transformation(reference_of("EPSG:4326+5773"), reference_of("EPSG:4979"));
     if (!shift) throw InputError("EGM96", "PROJ has no transformation from it to the ellipsoid");

@@ -87,7 +87,7 @@ inline Weights weights(const Weights* table, double part) {
     return w;
 }
 
-/// The tables, asked for once.
+/// The tables, read once.
 struct Tables {
     const float* deviate = deviate_table().data();
     const Weights* weight = weight_table();

@@ -12,7 +12,7 @@ constexpr int cells_near = 3;  // round a patch, where slopes count and not heig
 // Ray origins are lifted off their facets and rounded.
 constexpr float more = 1.001f, more_yet = 1e-3f;
 
-/// The box of the facets asked for.
+/// The box of the requested facets.
 struct Patch {
     Eigen::Vector3f low, high;
 

@@ -10,7 +10,7 @@
 #include "materials/atmosphere/scaled_aerosol.hpp"
 #include "materials/atmosphere/sun_field.hpp"
 
-// What is computed once and used again is what it would be if it were computed anew.
+// Results that are computed once and reused equal those computed each time.
 
 using namespace diurna;
 

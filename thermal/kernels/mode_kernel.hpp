@@ -47,7 +47,7 @@ struct ModeOutcome {
     double closure = 0.0;  // surface balance minus the modes' flux, over the sum of its terms
 };
 
-/// A facet whose heat input jumps within the step [lane]: when, and by how much.
+/// A jump of the heat input within the step [lane]: its instant and size.
 struct SplitLanes {
     std::size_t groups;  // of `split_lanes` lanes
     double dew_point_before, dew_point;

@@ -7,8 +7,8 @@
 #include "thermal/column/step_weights.hpp"
 #include "thermal/kernels/balance_loops.hpp"
 
-// A step in modes in which each facet's heat input jumps at its own instant, compiled once for each
-// vector width as thermal/kernels/balance_loops.hpp.
+// A step in modes in which each facet's heat input has a jump at its own instant, compiled once for
+// each vector width as thermal/kernels/balance_loops.hpp.
 
 namespace diurna {
 

@@ -25,7 +25,7 @@ struct AirTiers {
 ///               of the station (6.5 mK), or there is no rule or it has the same air everywhere,
 ///               there is one tier and nothing is spent on heights.
 ///
-/// edges  ascending [m], where light jumps: tiers more there
+/// edges  ascending [m], discontinuities of the light: additional tiers there
 AirTiers air_tiers(const AirByHeight* rule, const std::vector<float>& facet_height,
                    const std::vector<double>& edges = {});
 

@@ -124,8 +124,8 @@ class SkyBeyond {
     std::vector<float> beyond_;  // (tier)
 };
 
-/// All of the longwave anew. `change` becomes what arrives now less what did before. The sky of a
-/// facet's own height stands above it: what leaves is reported beyond the sky at the weather's
+/// Recomputes all of the longwave. `change` becomes what arrives now less what did before. The sky
+/// of a facet's own height stands above it: what leaves is reported beyond the sky at the weather's
 /// height, what arrives beyond that at its own.
 void renew_all(SolveState& solve, const Level& level, Field& field) {
     const std::size_t used = field.used;

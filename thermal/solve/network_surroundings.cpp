@@ -160,7 +160,7 @@ void NetworkSurroundings::find_blown() {
     }
 }
 
-/// Where light jumps by J at a share x of a step, its mean is J (½ − x) above that of its ends.
+/// With a jump of light by J at a share x of a step, its mean is J (½ − x) above that of its ends.
 void NetworkSurroundings::find_jumps() {
     std::vector<std::uint32_t> face_of(solve_.facets, no_number);
     for (std::uint32_t n = 0; n < object_.size(); ++n) face_of[object_.facet[n]] = n;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t W = enthalpy_lanes;
 
-/// A point on its way.
+/// A point in progress.
 struct Lane {
     FacetPoint* point = nullptr;  // null: idle
     std::unique_ptr<FacetForcing> forcing{};
@@ -34,7 +34,7 @@ struct Lane {
     long long steps = 0;             // of the pass
 };
 
-/// A group on its way.
+/// A group in progress.
 class GroupRun {
  public:
     GroupRun(const SolveState& solve, const Level& level, const PointColumn& column,

@@ -93,7 +93,7 @@ class Outlier {
     LayeredBatch one_;
 };
 
-/// A block on its way over the span.
+/// A block in progress over the span.
 class LayeredRun {
  public:
     LayeredRun(SolveState& solve, const Level& level, Block& block)

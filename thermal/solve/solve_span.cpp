@@ -20,7 +20,7 @@ namespace {
 
 constexpr double day = seconds_of_day;  // [s]
 
-/// A span on its way, day by day.
+/// A span in progress, day by day.
 struct Walk {
     std::span<const SpanStage> stages;
     const SolveInput& input;  // the first stage's

@@ -116,7 +116,7 @@ void set_irradiance(SolveState& solve) {
     find_jumps(solve);
 }
 
-/// The neighbours' longwave anew, if there are neighbours.
+/// Recomputes the neighbours' longwave, if there are neighbours.
 ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport& report) {
     check_numbers(solve);  // before neighbours take on what is none
     if (solve.excess.empty()) return {};

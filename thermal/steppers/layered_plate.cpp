@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-/// One plate's column on its way through a stage: nodes relative to the reference.
+/// One plate's column within a stage: nodes relative to the reference.
 struct Sheet {
     std::vector<double> start, theta;    // (node) [K] before and after the stage
     std::vector<double> offset, follow;  // (node) of the node above it

@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-/// A batch on its way through a step. `start` and `offset` [node][lane] are memory that outlives
+/// A batch within a step. `start` and `offset` [node][lane] are memory that outlives
 /// it: a step is shorter than an allocation.
 struct Way {
     double* start;                      // what the second stage sets out from

@@ -90,7 +90,7 @@ struct Outliers {
     }
 };
 
-/// The lanes whose heat jumps in this step, or did in the last and where that takes parts too.
+/// The lanes with a jump of heat in this step, or in the last where that is divided too.
 void take_outliers(const ModeStep& step, const ModeForcing& forcing, ModeBatch& batch,
                    Outliers& outliers) {
     outliers.count = 0;

@@ -50,7 +50,7 @@ struct ModeBatch {
 void begin_modes(const ModeStep& step, const AirOver& air, const double* heat, double emissivity,
                  ModeBatch& batch);
 
-/// One step. Lanes whose heat jumps, and on fast surfaces also those whose heat jumped in the step
+/// One step. Lanes with a jump of heat, and on fast surfaces also those that had one in the step
 /// before, are stepped separately: to the jump, then in four parts of growing length.
 /// `record.slope[0]` receives the sum over lanes of d(flux)/dT at its end; worst_closure the
 /// difference between the surface's heat input at the step's end and the modes', over the sum of

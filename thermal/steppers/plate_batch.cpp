@@ -23,7 +23,7 @@ struct Outlier {
     std::vector<double> x;  // (mode)
 };
 
-/// The whole step of one plate whose heat jumps within it, from its state before.
+/// The whole step of one plate with a jump of heat within it, from its state before.
 template <class Kinds>
 void split_plate(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
                  Outlier& stray, StepRecord& record) {

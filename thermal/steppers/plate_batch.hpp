@@ -37,7 +37,7 @@ struct PlateBatch {
 void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
                   const double* heat, PlateBatch& batch);
 
-/// One step; plates whose heat jumps, in front or behind, are stepped to the jump and from there
+/// One step; for plates with a jump of heat, in front or behind, it is divided: to the jump, then
 /// in parts of growing length, as are the two steps after that: sheet steel responds over minutes.
 /// `record.slope` gets the sums over plates of d(flux)/dT at its end, front and back;
 /// worst_closure the difference between the faces' heat input and the modes', over the sum of its

@@ -34,7 +34,7 @@ struct LightByHeight {
     bool has_sunlight(double at) const { return by_haze || at >= cloud_top; }
     bool has_longwave(double at) const { return at >= cloud_top; }
     LightRatio at(Instant when, double at_height) const;
-    /// Heights on both sides of where light jumps.
+    /// Heights on both sides of each discontinuity of the light.
     std::vector<double> edges() const;
 };
 

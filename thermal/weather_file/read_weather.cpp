@@ -36,7 +36,7 @@ Stamp stamps_of(const WeatherTable& table, const WeatherOptions& options) {
     return options.interval.value_or(table.stamps.value_or(Stamp::end));
 }
 
-/// Throws InputError unless a file covers what was asked for; notes where it just does not.
+/// Throws InputError unless a file covers the requested span; notes where it just does not.
 void check_cover(WeatherTable& table, Stamp stamps, const AskedSpan& asked) {
     if (!asked.any()) return;
     const CoveredSpan span = covered_span(table, stamps);

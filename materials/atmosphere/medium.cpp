@@ -275,9 +275,9 @@ void Medium::find_depths(const Amounts& amounts, const Amounts* more, bool scatt
         }
         for (std::size_t block = 0; block < to - from; block += lanes) {
 #pragma omp simd
-            for (std::size_t i = 0; i < lanes; ++i) {
-                const float x = a[block + i] * (ln_c[block + i] + ln_amount);
-                depth[block + i] += fast_exp(x > 6.0f ? 6.0f : x);
+            for (std::size_t j = 0; j < lanes; ++j) {
+                const float x = a[block + j] * (ln_c[block + j] + ln_amount);
+                depth[block + j] += fast_exp(x > 6.0f ? 6.0f : x);
             }
         }
     }

@@ -48,7 +48,10 @@ TEST_CASE("messages about a sweep's folders name the folder that the command nee
     CHECK(sweep_around(v0) == out);
     CHECK(sweep_around(v0 + "/") == out);
     CHECK(sweep_around(out).empty());
-    CHECK_THAT(thrown([&] { write_movie({.folder = out, .file = out / "a.mp4"}); }),
+    MovieOptions movie;
+    movie.folder = out;
+    movie.file = out / "a.mp4";
+    CHECK_THAT(thrown([&] { write_movie(movie); }),
                Contains("folder of a sweep") && Contains(v0));
     CHECK_THAT(thrown([&] { load_run_heat(out); }), Contains((out / "heat/h0").string()));
     CHECK_THAT(thrown([&] { load_run_heat(v0); }), Contains((out / "heat/h1").string()));

@@ -51,8 +51,7 @@ TEST_CASE("messages about a sweep's folders name the folder that the command nee
     MovieOptions movie;
     movie.folder = out;
     movie.file = out / "a.mp4";
-    CHECK_THAT(thrown([&] { write_movie(movie); }),
-               Contains("folder of a sweep") && Contains(v0));
+    CHECK_THAT(thrown([&] { write_movie(movie); }), Contains("folder of a sweep") && Contains(v0));
     CHECK_THAT(thrown([&] { load_run_heat(out); }), Contains((out / "heat/h0").string()));
     CHECK_THAT(thrown([&] { load_run_heat(v0); }), Contains((out / "heat/h1").string()));
     CHECK_THAT(thrown([&] { verify(v0); }), Contains("diurna verify " + sweep));

@@ -20,8 +20,6 @@ namespace diurna {
 namespace {
 
 constexpr double most_cells = 5e8;
-const char* const class_drivers[] = {"GTiff", "AAIGrid", "ENVI", "netCDF", "EHdr", "HFA", nullptr};
-
 /// Row by row; throws InputError for a class that is no whole number.
 std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& raster) {
     std::vector<double> row(std::size_t(raster.columns));
@@ -58,9 +56,7 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
                               const std::optional<Confines>& confines) {
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
-    const auto data = open_gdal_file(
-        file, GDAL_OF_RASTER, class_drivers,
-        "known formats: GeoTIFF, ESRI ASCII, ESRI .bil, ENVI, Erdas .img, netCDF", gdal, gate);
+    const auto data = open_gdal_file(file, GdalUse::classes, gdal, gate);
     ClassRaster raster;
     raster.source = file.string();
     raster.columns = data->GetRasterXSize();

@@ -28,12 +28,9 @@ namespace diurna {
 
 namespace {
 
-const char* const allowed_drivers[] = {"GTiff", "DTED",   "SRTMHGT", "USGSDEM", "AAIGrid",
-                                       "ENVI",  "netCDF", "EHdr",    "HFA",     nullptr};
-
 GDALDatasetUniquePtr open(const std::string& name) {
-    return GDALDatasetUniquePtr(
-        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, allowed_drivers));
+    return GDALDatasetUniquePtr(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
+                                                  gdal_drivers(GdalUse::elevation).data()));
 }
 
 /// A netCDF file with several variables has no bands of its own: take the one that is named like
@@ -75,12 +72,8 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     auto raster = open(gdal_raster_name(file));
     gate.check();
     if (!raster) {
-        throw InputError(
-            where, "cannot be read as elevation" + gdal.because(),
-            unread_hint(
-                file,
-                "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, ESRI .bil and .flt, "
-                "ENVI, Erdas .img, netCDF; gdal_translate IN OUT.tif converts others to GeoTIFF"));
+        throw InputError(where, "cannot be read as elevation" + gdal.because(),
+                         unread_hint(file, gdal_advice(GdalUse::elevation)));
     }
     if (raster->GetRasterCount() == 0) raster = open_elevation_variable(*raster, where);
     if (!raster || raster->GetRasterCount() == 0) {

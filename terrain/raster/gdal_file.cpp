@@ -20,21 +20,22 @@ constexpr double largest_block = 512e6;  // [bytes]
 
 }  // namespace
 
-GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
-                                    const char* const* drivers, const char* formats,
+GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, GdalUse use,
                                     const QuietGdal& gdal, const GdalGate& gate) {
     if (!std::filesystem::is_regular_file(file)) {
         throw InputError(file.string(), "the file does not exist");
     }
     note_file_read(file);
     check_values_are_its_own(file);
-    const std::string name =
-        (kind & GDAL_OF_RASTER) != 0 ? gdal_raster_name(file) : gdal_vector_name(file);
-    GDALDatasetUniquePtr data(GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, drivers));
+    const bool vector = use == GdalUse::shapes;
+    const std::string name = vector ? gdal_vector_name(file) : gdal_raster_name(file);
+    const unsigned kind = vector ? GDAL_OF_VECTOR : GDAL_OF_RASTER;
+    GDALDatasetUniquePtr data(
+        GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, gdal_drivers(use).data()));
     gate.check();
     if (!data) {
         throw InputError(file.string(), "cannot be read" + gdal.because(),
-                         unread_hint(file, formats));
+                         unread_hint(file, gdal_advice(use)));
     }
     look_beside(*data, gate);
     check_bands(*data, file.string());

@@ -5,15 +5,14 @@
 #include <filesystem>
 #include <string>
 
+#include "terrain/raster/gdal_formats.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
 
 namespace diurna {
 
-/// Opens a file with the named drivers (null-terminated), never one of GDAL's connection strings.
-/// `kind` is GDAL_OF_RASTER or GDAL_OF_VECTOR, `formats` the advice for other formats. Throws
-/// InputError with GDAL's reason, or for a sidecar beyond the gate.
-GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
-                                    const char* const* drivers, const char* formats,
+/// Opens a file with the drivers for a use, never one of GDAL's connection strings. Throws
+/// InputError with GDAL's reason and the known formats, or for a sidecar beyond the gate.
+GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, GdalUse use,
                                     const QuietGdal& gdal, const GdalGate& gate);
 
 /// Refuses files that need gigabytes to read one band: over 4096 bands, and blocks of over 512 MB,

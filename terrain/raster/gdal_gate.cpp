@@ -14,6 +14,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "terrain/raster/gdal_formats.hpp"
 
 namespace diurna {
 
@@ -21,10 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array gate_drivers{
-    "GTiff",      "DTED",   "SRTMHGT",    "USGSDEM", "AAIGrid", "ENVI",
-    "netCDF",     "PNG",    "JPEG",       "GeoJSON", "GPKG",    "ESRI Shapefile",
-    "GeoJSONSeq", "LIBKML", "FlatGeobuf", "EHdr",    "HFA",     "MEM"};
 constexpr std::array file_systems{"/vsimem/", "/vsizip/", "/vsigzip/"};  // beside the disk
 
 thread_local GdalGate* gate = nullptr;
@@ -132,9 +129,7 @@ void prepare_gdal() {
         GDALDriverManager& manager = *GetGDALDriverManager();
         for (int i = manager.GetDriverCount(); i-- > 0;) {
             GDALDriver* driver = manager.GetDriver(i);
-            const std::string_view name = driver->GetDescription();
-            if (std::find(gate_drivers.begin(), gate_drivers.end(), name) != gate_drivers.end())
-                continue;
+            if (is_gdal_driver_used(driver->GetDescription())) continue;
             manager.DeregisterDriver(driver);
             delete driver;
         }

@@ -19,13 +19,6 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t most_corners = 1'000'000;
-const char* const shape_drivers[] = {"GeoJSON",    "GeoJSONSeq", "ESRI Shapefile", "GPKG",
-                                     "FlatGeobuf", "LIBKML",     nullptr};
-constexpr const char* shape_formats =
-    "known formats: GeoJSON (also one feature per line), ESRI Shapefile (its .shp, or a zip of all "
-    "its files), GeoPackage, KML, KMZ, FlatGeobuf; ogr2ogr shapes.gpkg FILE converts others to "
-    "GeoPackage";
-
 struct NoPlace {
     std::string corner;
 };
@@ -163,8 +156,7 @@ std::vector<ShapeLayer> shape_layers(const std::filesystem::path& file,
                                      const std::optional<Confines>& confines) {
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
-    const auto data =
-        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers, shape_formats, gdal, gate);
+    const auto data = open_gdal_file(file, GdalUse::shapes, gdal, gate);
     std::vector<ShapeLayer> layers;
     for (OGRLayer* one : data->GetLayers()) {
         layers.push_back({one->GetName(), one->GetFeatureCount()});
@@ -178,8 +170,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
                                    const std::string& layer_name) {
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
-    const auto data =
-        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers, shape_formats, gdal, gate);
+    const auto data = open_gdal_file(file, GdalUse::shapes, gdal, gate);
     // A CRS that is to be fetched, or read of another file, would be WGS84 in place of it.
     if (!gdal.because().empty()) {
         throw InputError(file.string(), "cannot be read" + gdal.because());

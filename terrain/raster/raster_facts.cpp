@@ -17,9 +17,6 @@ namespace diurna {
 namespace {
 
 constexpr double most_values = 1e9;
-const char* const facts_drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid", "EHdr",
-                                     "DTED",  "SRTMHGT", "USGSDEM", "netCDF", "HFA",     nullptr};
-
 BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGdal& gdal) {
     BandFacts facts{.name = band.GetDescription(),
                     .unit = band.GetUnitType(),
@@ -76,10 +73,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
     const std::string where = file.string();
-    const auto data = open_gdal_file(
-        file, GDAL_OF_RASTER, facts_drivers,
-        "known formats: GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM HGT, USGS DEM, netCDF",
-        gdal, gate);
+    const auto data = open_gdal_file(file, GdalUse::facts, gdal, gate);
     RasterFacts facts{.driver = data->GetDriverName(),
                       .columns = data->GetRasterXSize(),
                       .rows = data->GetRasterYSize(),

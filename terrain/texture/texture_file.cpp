@@ -18,9 +18,6 @@ namespace diurna {
 namespace {
 
 constexpr double most_texels = 1e8;
-const char* const texture_drivers[] = {"GTiff",  "PNG",     "JPEG", "ENVI",
-                                       "netCDF", "AAIGrid", nullptr};
-
 }  // namespace
 
 TextureImage read_texture_image(const std::filesystem::path& file, int channel,
@@ -29,9 +26,7 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel,
     const GdalGate gate(confines ? *confines : confines_of(file));
     TextureImage image;
     image.source = file.string();
-    const auto data =
-        open_gdal_file(file, GDAL_OF_RASTER, texture_drivers,
-                       "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII", gdal, gate);
+    const auto data = open_gdal_file(file, GdalUse::texture, gdal, gate);
     image.columns = data->GetRasterXSize();
     image.rows = data->GetRasterYSize();
     const double texels = double(image.columns) * image.rows;

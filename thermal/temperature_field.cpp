@@ -16,7 +16,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/made_by.hpp"
 #include "terrain/place/local_time.hpp"
-#include "thermal/netcdf_output.hpp"
+#include "thermal/netcdf/netcdf_writer.hpp"
 #include "thermal/temperature_names.hpp"
 
 namespace diurna {
@@ -58,7 +58,7 @@ constexpr const char* heat_equation =
 
 /// Names that are more than an attribute holds: a variable NAME_name, which the attribute
 /// `flag_meanings_variable` of the numbers' own names.
-void declare_long_names(const NetcdfFile& file, int variable, const char* name,
+void declare_long_names(const NetcdfWriter& file, int variable, const char* name,
                         const std::vector<std::string>& meanings) {
     const std::string names = std::string(name) + "_name";
     std::vector<std::string> words;
@@ -73,7 +73,7 @@ void declare_long_names(const NetcdfFile& file, int variable, const char* name,
 }
 
 /// A number for each facet, and what the numbers mean.
-int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
+int declare_flags(const NetcdfWriter& file, const char* name, int facet_dim,
                   const std::vector<std::string>& meanings) {
     const int variable = file.variable(name, NC_INT, {facet_dim});
     std::vector<int> values;
@@ -97,7 +97,7 @@ int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
     return variable;
 }
 
-void declare_times(const NetcdfFile& file, int time_dim, Variables& variables) {
+void declare_times(const NetcdfWriter& file, int time_dim, Variables& variables) {
     variables.time = file.variable("time", NC_DOUBLE, {time_dim});
     file.text(variables.time, "standard_name", "time");
     file.text(variables.time, "units", "seconds since 1970-01-01T00:00:00Z");
@@ -110,7 +110,7 @@ void declare_times(const NetcdfFile& file, int time_dim, Variables& variables) {
 }
 
 /// A variable (time, facet).
-int declare_field(const NetcdfFile& file, const char* name, const char* standard_name,
+int declare_field(const NetcdfWriter& file, const char* name, const char* standard_name,
                   const std::string& units, const std::array<int, 2>& dims) {
     const int variable = file.variable(name, NC_FLOAT, {dims[0], dims[1]});
     if (*standard_name != '\0') file.text(variable, "standard_name", standard_name);
@@ -120,7 +120,8 @@ int declare_field(const NetcdfFile& file, const char* name, const char* standard
     return variable;
 }
 
-void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Variables& variables) {
+void declare_fluxes(const NetcdfWriter& file, const std::array<int, 2>& dims,
+                    Variables& variables) {
     file.text(NC_GLOBAL, "heat_balance", heat_equation);
     for (std::size_t k = 0; k < heat_terms; ++k) {
         const TermName& term = heat_term_names[k];
@@ -132,7 +133,7 @@ void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Vari
 }
 
 /// Of what lies there, what is anywhere.
-void declare_cover(const NetcdfFile& file, const CoveredFacets& water,
+void declare_cover(const NetcdfWriter& file, const CoveredFacets& water,
                    const std::array<int, 2>& dims, Variables& variables) {
     for (std::size_t k = 0; k < cover_names.size(); ++k) {
         const CoverName& of = cover_names[k];
@@ -146,7 +147,7 @@ void declare_cover(const NetcdfFile& file, const CoveredFacets& water,
 }
 
 /// Dimensions, variables and their attributes: what a reader learns before any number.
-Variables declare(const NetcdfFile& file, const TemperatureField& field, const FacetSet& facets,
+Variables declare(const NetcdfWriter& file, const TemperatureField& field, const FacetSet& facets,
                   const Site& site, const FieldNotes& notes) {
     const int time_dim = file.dimension("time", field.instant.size());
     const int facet_dim = file.dimension("facet", field.facets);
@@ -207,7 +208,7 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     return variables;
 }
 
-void write_mesh(const NetcdfFile& file, const Variables& variables, const FacetSet& facets) {
+void write_mesh(const NetcdfWriter& file, const Variables& variables, const FacetSet& facets) {
     std::vector<int> corners;
     corners.reserve(3 * facets.size());
     for (const auto& triangle : facets.corner) {
@@ -222,7 +223,7 @@ void write_mesh(const NetcdfFile& file, const Variables& variables, const FacetS
     }
 }
 
-void write_names(const NetcdfFile& file, const Variables& variables, const FacetSet& facets) {
+void write_names(const NetcdfWriter& file, const Variables& variables, const FacetSet& facets) {
     std::vector<int> number(facets.size());
     if (variables.material >= 0) {
         std::transform(facets.material.begin(), facets.material.end(), number.begin(),
@@ -236,14 +237,14 @@ void write_names(const NetcdfFile& file, const Variables& variables, const Facet
     }
 }
 
-void write_solved_as(const NetcdfFile& file, const Variables& variables,
+void write_solved_as(const NetcdfWriter& file, const Variables& variables,
                      const TemperatureField& field) {
     if (variables.solved_as < 0) return;
     const std::vector<int> number(field.solved_as.begin(), field.solved_as.end());
     file.must(nc_put_var_int(file.id(), variables.solved_as, number.data()));
 }
 
-void write_times(const NetcdfFile& file, const Variables& variables,
+void write_times(const NetcdfWriter& file, const Variables& variables,
                  const std::vector<Instant>& instants, const Site& site, double utc_offset) {
     std::vector<double> seconds, solar;
     std::vector<std::string> clock;
@@ -259,7 +260,8 @@ void write_times(const NetcdfFile& file, const Variables& variables,
     file.must(nc_put_var_string(file.id(), variables.clock, text.data()));
 }
 
-void write_fluxes(const NetcdfFile& file, const Variables& variables, const HeatFluxField& fluxes) {
+void write_fluxes(const NetcdfWriter& file, const Variables& variables,
+                  const HeatFluxField& fluxes) {
     for (std::size_t k = 0; k < heat_terms; ++k) {
         file.must(nc_put_var_float(file.id(), variables.term[k], fluxes.watts[k].data()));
     }
@@ -267,7 +269,7 @@ void write_fluxes(const NetcdfFile& file, const Variables& variables, const Heat
 
 /// All facets: those whose water is not followed are dry. At once, as the file packs it in pieces
 /// of many instants.
-void write_cover(const NetcdfFile& file, const Variables& variables,
+void write_cover(const NetcdfWriter& file, const Variables& variables,
                  const TemperatureField& field) {
     const CoveredFacets& water = field.water;
     std::vector<float> values;
@@ -312,7 +314,7 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
             fmt::format("{}: the temperature of facet {} is not finite", path.string(),
                         static_cast<std::size_t>(bad - field.kelvin.begin()) % field.facets));
     }
-    NetcdfFile file = NetcdfFile::create(path);
+    NetcdfWriter file = NetcdfWriter::create(path);
     const Variables variables = declare(file, field, facets, site, notes);
     write_mesh(file, variables, facets);
     write_names(file, variables, facets);

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "materials/base/error.hpp"
-#include "materials/base/files_read.hpp"
-#include "materials/base/hdf5_file.hpp"
-#include "thermal/netcdf_output.hpp"
+#include "thermal/netcdf/netcdf_reader.hpp"
+#include "thermal/netcdf/netcdf_writer.hpp"
 
 namespace diurna {
 
@@ -19,11 +20,11 @@ constexpr const char* kind = "diurna heat state 2";
 
 /// Numbers of many lists one behind the other, and how many each has.
 struct Lists {
-    std::vector<std::int64_t> length;
+    std::vector<long long> length;
     std::vector<double> value;
 
     void add(const std::vector<double>& list) {
-        length.push_back(std::int64_t(list.size()));
+        length.push_back(static_cast<long long>(list.size()));
         value.insert(value.end(), list.begin(), list.end());
     }
 };
@@ -46,7 +47,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 /// One variable (name) of its own dimension (name_n), written at once.
 class Writer {
  public:
-    explicit Writer(const NetcdfFile& file) : file_(file) {}
+    explicit Writer(const NetcdfWriter& file) : file_(file) {}
 
     void doubles(const char* name, const std::vector<double>& values) {
         const int id = begin(name, NC_DOUBLE, values.size());
@@ -56,10 +57,9 @@ class Writer {
         const int id = begin(name, NC_FLOAT, values.size());
         if (!values.empty()) file_.must(nc_put_var_float(file_.id(), id, values.data()));
     }
-    void integers(const char* name, const std::vector<std::int64_t>& values) {
-        const std::vector<long long> wide(values.begin(), values.end());
+    void integers(const char* name, const std::vector<long long>& values) {
         const int id = begin(name, NC_INT64, values.size());
-        if (!wide.empty()) file_.must(nc_put_var_longlong(file_.id(), id, wide.data()));
+        if (!values.empty()) file_.must(nc_put_var_longlong(file_.id(), id, values.data()));
     }
 
  private:
@@ -67,88 +67,71 @@ class Writer {
         const int dim = file_.dimension((std::string(name) + "_n").c_str(), length);
         return file_.variable(name, type, {dim});
     }
-    const NetcdfFile& file_;
+    const NetcdfWriter& file_;
 };
 
-/// The same the other way; whatever is not there, or not finite, is refused.
+std::string text_of(const NetcdfReader& file, const char* name) {
+    std::optional<std::string> text = file.text("", name);
+    if (!text) throw file.without(name);
+    return std::move(*text);
+}
+
+/// A short header may claim any size; these are not compressed.
+void check_list(const NetcdfReader& file, const char* name, const fs::path& path) {
+    file.check_dimensions(name, {std::string(name) + "_n"});
+    if (double(file.size(name)) * 4.0 > double(fs::file_size(path))) {
+        throw file.refused("is truncated");
+    }
+}
+
+/// The lists of a state file; whatever is not there, or not finite, is refused.
 class Reader {
  public:
-    Reader(const NetcdfFile& file, const fs::path& path) : file_(file), path_(path) {}
+    Reader(const NetcdfReader& file, const fs::path& path) : file_(file), path_(path) {}
 
-    InputError refused(const std::string& why) const { return InputError(path_.string(), why); }
-    void must(int status, const std::string& what) const {
-        if (status != NC_NOERR) throw refused("is not a state file of a run: it has no " + what);
-    }
-    std::string text(const char* name) const {
-        std::size_t length = 0;
-        must(nc_inq_attlen(file_.id(), NC_GLOBAL, name, &length), name);
-        std::string value(length, ' ');
-        must(nc_get_att_text(file_.id(), NC_GLOBAL, name, value.data()), name);
-        return value;
-    }
     std::vector<double> doubles(const char* name) const {
-        const auto [id, length] = find(name);
-        std::vector<double> values(length);
-        if (length > 0) must(nc_get_var_double(file_.id(), id, values.data()), name);
+        check_list(file_, name, path_);
+        std::vector<double> values = file_.values<double>(name);
         if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
-            throw refused(std::string("has numbers that are not finite in ") + name);
+            throw file_.refused(std::string("has numbers that are not finite in ") + name);
         }
         return values;
     }
-    std::vector<std::int64_t> integers(const char* name) const {
-        const auto [id, length] = find(name);
-        std::vector<long long> values(length);
-        if (length > 0) must(nc_get_var_longlong(file_.id(), id, values.data()), name);
-        return {values.begin(), values.end()};
+    std::vector<long long> integers(const char* name) const {
+        check_list(file_, name, path_);
+        return file_.values<long long>(name);
     }
-    /// What Lists holds, taken apart.
+    /// What Lists holds, list by list.
     std::vector<std::vector<double>> lists(const char* lengths, const char* values) const {
-        const std::vector<std::int64_t> length = integers(lengths);
+        const std::vector<long long> length = integers(lengths);
         const std::vector<double> value = doubles(values);
         std::vector<std::vector<double>> lists;
         std::size_t at = 0;
-        for (const std::int64_t n : length) {
-            if (n < 0 || std::size_t(n) > value.size() - at) throw refused("is truncated");
+        for (const long long n : length) {
+            if (n < 0 || std::size_t(n) > value.size() - at) throw file_.refused("is truncated");
             const auto from = value.begin() + std::ptrdiff_t(at);
             lists.emplace_back(from, from + std::ptrdiff_t(n));
             at += std::size_t(n);
         }
-        if (at != value.size()) throw refused("is truncated");
+        if (at != value.size()) throw file_.refused("is truncated");
         return lists;
     }
 
  private:
-    struct Found {
-        int id;
-        std::size_t length;
-    };
-    Found find(const char* name) const {
-        Found found{};
-        int rank = 0, dim = 0;
-        must(nc_inq_varid(file_.id(), name, &found.id), name);
-        must(nc_inq_varndims(file_.id(), found.id, &rank), name);
-        if (rank != 1) throw refused(std::string("is not a state file of a run: invalid ") + name);
-        must(nc_inq_vardimid(file_.id(), found.id, &dim), name);
-        must(nc_inq_dimlen(file_.id(), dim, &found.length), name);
-        // A short header may claim any size; these are not compressed.
-        if (double(found.length) * 4.0 > double(fs::file_size(path_)))
-            throw refused("is truncated");
-        return found;
-    }
-    const NetcdfFile& file_;
+    const NetcdfReader& file_;
     const fs::path& path_;
 };
 
 /// Throws where a state belongs to somebody else.
-void check_owner(const Reader& read, const StateOwner& owner) {
-    if (read.text("mesh") != owner.mesh) {
-        throw read.refused("belongs to another mesh: other facets, or other materials of facets");
+void check_owner(const NetcdfReader& file, const StateOwner& owner) {
+    if (text_of(file, "mesh") != owner.mesh) {
+        throw file.refused("belongs to another mesh: other facets, or other materials of facets");
     }
-    const std::vector<std::string> columns = lines_of(read.text("columns"));
+    const std::vector<std::string> columns = lines_of(text_of(file, "columns"));
     for (std::size_t i = 0; i < owner.columns.size(); ++i) {
         const std::string& ours = owner.columns[i];
         if (i < columns.size() && columns[i] == ours) continue;
-        throw read.refused(fmt::format("belongs to other materials: '{}' there is '{}' here",
+        throw file.refused(fmt::format("belongs to other materials: '{}' there is '{}' here",
                                        i < columns.size() ? columns[i] : "", ours));
     }
 }
@@ -160,16 +143,16 @@ void save_heat_state(const fs::path& path, const TimedState& timed, const StateO
     Lists blocks, points, networks;
     for (const std::vector<double>& block : state.block) blocks.add(block);
     for (const std::vector<double>& network : state.network) networks.add(network);
-    std::vector<std::int64_t> facet;
+    std::vector<long long> facet;
     std::vector<double> water, frost, albedo;
     for (const HeatState::Point& point : state.point) {
         points.add(point.u);
-        facet.push_back(std::int64_t(point.facet));
+        facet.push_back(static_cast<long long>(point.facet));
         water.push_back(point.standing.water);
         frost.push_back(point.standing.frost);
         albedo.push_back(point.snow_albedo);
     }
-    NetcdfFile file = NetcdfFile::create(path);
+    NetcdfWriter file = NetcdfWriter::create(path);
     file.text(NC_GLOBAL, "title", kind);
     file.text(NC_GLOBAL, "instant", format_instant(timed.instant));
     file.text(NC_GLOBAL, "mesh", owner.mesh);
@@ -191,41 +174,33 @@ void save_heat_state(const fs::path& path, const TimedState& timed, const StateO
 }
 
 TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
-    if (!fs::is_regular_file(path)) throw InputError(path.string(), "no such file");
-    int id = -1;
-    note_file_read(path);
-    check_values_are_its_own(path);
-    if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw InputError(path.string(),
-                         fmt::format("is not a netCDF file ({})", nc_strerror(status)));
-    }
-    const NetcdfFile file(path, id);
+    const NetcdfReader file(path, "a state file of a run");
+    if (file.text("", "title") != kind) throw file.refused("is not a state file of a run");
+    check_owner(file, owner);
     const Reader read(file, path);
-    if (read.text("title") != kind) throw read.refused("is not a state file of a run");
-    check_owner(read, owner);
-    TimedState timed{.instant = parse_instant(read.text("instant"), path.string())};
+    TimedState timed{.instant = parse_instant(text_of(file, "instant"), path.string())};
     HeatState& state = timed.state;
     const std::vector<double> reference = read.doubles("reference_K");
-    if (reference.size() != 1) throw read.refused("is truncated");
+    if (reference.size() != 1) throw file.refused("is truncated");
     state.reference = reference[0];
     const std::vector<double> kelvin = read.doubles("surface_temperature");
     state.kelvin.assign(kelvin.begin(), kelvin.end());
     const auto cannot_be = [](double k) { return !(k >= 1.0 && k <= 5000.0); };
     if (cannot_be(state.reference) || std::any_of(kelvin.begin(), kelvin.end(), cannot_be)) {
-        throw read.refused("has temperatures outside 1 to 5000 K");
+        throw file.refused("has temperatures outside 1 to 5000 K");
     }
     state.block = read.lists("block_length", "block_state");
-    const std::vector<std::int64_t> facet = read.integers("point_facet");
+    const std::vector<long long> facet = read.integers("point_facet");
     const std::vector<std::vector<double>> u = read.lists("point_length", "point_state");
     const std::vector<double> water = read.doubles("point_water_mm"),
                               frost = read.doubles("point_frost_mm"),
                               albedo = read.doubles("point_snow_albedo");
     for (const std::size_t n : {u.size(), water.size(), frost.size(), albedo.size()}) {
-        if (n != facet.size()) throw read.refused("is truncated");
+        if (n != facet.size()) throw file.refused("is truncated");
     }
     for (std::size_t i = 0; i < facet.size(); ++i) {
         if (facet[i] < 0 || std::size_t(facet[i]) >= state.kelvin.size()) {
-            throw read.refused("is truncated");
+            throw file.refused("is truncated");
         }
         state.point.push_back({std::size_t(facet[i]), u[i], {water[i], frost[i]}, albedo[i]});
     }

@@ -23,18 +23,18 @@
 namespace diurna {
 
 /// An open netCDF file; a file being written gets its name when it is complete.
-class NetcdfFile {
+class NetcdfWriter {
  public:
-    NetcdfFile(std::filesystem::path path, int id) : path_(std::move(path)), id_(id) {}
-    NetcdfFile(const NetcdfFile&) = delete;
-    NetcdfFile& operator=(const NetcdfFile&) = delete;
-    ~NetcdfFile() {
+    NetcdfWriter(std::filesystem::path path, int id) : path_(std::move(path)), id_(id) {}
+    NetcdfWriter(const NetcdfWriter&) = delete;
+    NetcdfWriter& operator=(const NetcdfWriter&) = delete;
+    ~NetcdfWriter() {
         if (id_ >= 0) nc_close(id_);
     }
     /// Created in memory, as the library ends the program when a disk is full; begun with
     /// an empty file, as nc_create_mem tracks no order and cannot open it again for
     /// changes.
-    static NetcdfFile create(const std::filesystem::path& target) {
+    static NetcdfWriter create(const std::filesystem::path& target) {
         check_output_file(target);
         remove_left_over(target);
         const std::vector<std::byte> nothing = hdf5_with_nothing_in_it();
@@ -43,12 +43,12 @@ class NetcdfFile {
         std::memcpy(memory.memory, nothing.data(), nothing.size());
         int id = -1;
         const int status = nc_open_memio(target.c_str(), NC_WRITE | NC_NETCDF4, &memory, &id);
-        NetcdfFile file(target, status == NC_NOERR ? id : -1);
+        NetcdfWriter file(target, status == NC_NOERR ? id : -1);
         file.must(status);
         file.must(nc_redef(id));
         return file;
     }
-    NetcdfFile(NetcdfFile&& other) noexcept
+    NetcdfWriter(NetcdfWriter&& other) noexcept
         : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
 
     /// Removes unfinished copies of the file by killed runs (processes that have

@@ -9,6 +9,7 @@
 #include "python/src/thread_limit.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/cache/stage_store.hpp"
+#include "scenes/plan/plan_text.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/sweep/checked_scene.hpp"
@@ -53,22 +54,24 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
                     const py::object& progress) {
     std::string sweep;
     const Plan plan = result_of_long_call(progress, [&](const ProgressTo&) {
-        Prepared prepared = prepare(read_scene(file, settings, allow_outside));
+        const Prepared prepared = prepare(read_scene(file, settings, allow_outside));
         if (!prepared.scene.sweep.axes.empty()) {
             sweep = describe(read_sweep_variants(file, settings, allow_outside), prepared.plan);
         }
-        return std::move(prepared.plan);
+        return prepared.plan;
     });
     py::dict out, stages;
-    for (const PlannedStage& stage : plan.stages) stages[stage.name.c_str()] = stage.seconds;
+    for (const PlannedStage& planned : plan.stages) {
+        stages[name_of(planned.stage).c_str()] = planned.seconds;
+    }
     py::list decisions;
-    for (const Decision& decision : plan.decisions) {
+    for (const PlanRow& row : plan_rows(plan)) {
         py::dict one;
-        one["what"] = decision.what;
-        one["computed"] = decision.computed;
-        one["why"] = decision.why;
-        one["error"] = decision.error;
-        one["error_unit"] = decision.error_unit;
+        one["what"] = row.what;
+        one["computed"] = row.computed;
+        one["why"] = row.why;
+        one["error"] = row.error;
+        one["error_unit"] = row.error_unit;
         decisions.append(one);
     }
     out["facets"] = plan.facets;

@@ -13,6 +13,7 @@
 #include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/memory_limit.hpp"
+#include "scenes/plan/plan_text.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/sweep/checked_scene.hpp"
 #include "scenes/sweep/sweep_plan.hpp"

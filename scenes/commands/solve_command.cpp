@@ -39,14 +39,13 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     tell_of_sweep(prepared.scene);
     print_warnings(as_lines(scene_warnings(prepared)));
     Progress progress(a.style());
-    progress.stage("sky view");
+    progress.stage(StageId::sky_view);
     const Stages stages(prepared, a.stages());
     stages.at(0);
-    const auto inputs =
-        stages.store() == nullptr ? std::vector<RunInput>{} : run_inputs(prepared.scene);
-    SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
+    const std::vector<RunInput> inputs = run_inputs(prepared.scene);
+    SceneHeat heat = scene_heat(stages, inputs, progress, {});
     progress.finish();
-    write_heat(prepared, heat.result, out);
+    write_heat(prepared, inputs, heat.result, out);
     for (auto& reported : write_radiometers(stages, heat.result, out.parent_path())) {
         heat.reported.push_back(std::move(reported));
     }

@@ -10,7 +10,6 @@
 #include "materials/base/parallel.hpp"
 #include "render/rays/lobe.hpp"
 #include "scenes/plan/dew_expected.hpp"
-#include "scenes/plan/instrument_cost.hpp"
 #include "scenes/plan/plan_costs.hpp"
 #include "scenes/plan/seen_pixels.hpp"
 #include "scenes/world/stepping.hpp"
@@ -28,20 +27,6 @@ constexpr double seconds_of_day = 86400.0;
 constexpr double network_longest = 300.0;   // [s] steps of bodies of heat (network_facets.hpp)
 constexpr double planes_of_picture = 14.0;  // of truth, beside those of its bands
 constexpr std::size_t most_poses = 12;      // of a way, at which what is seen is counted
-
-std::string wet_materials(const Scene& scene, const World& world, bool wet) {
-    std::vector<bool> used(scene.materials.size(), false);
-    for (const MaterialId id : world.surfaces().material) used[index(id)] = true;
-    std::vector<std::string> kinds;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
-        if (!used[i] || (material.thermal.evaporation.wetness > 0.0) != wet) continue;
-        if (std::find(kinds.begin(), kinds.end(), material.kind()) == kinds.end()) {
-            kinds.push_back(material.kind());
-        }
-    }
-    return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
-}
 
 /// Facets that need more than their blocks give them.
 struct PointWork {
@@ -157,6 +142,7 @@ Onward onward_pixels(const Scene& scene, const World& world, const Sequence& seq
 /// How many instants, pixels and rays there are.
 void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.facets = world.surfaces().size();
+    plan.observers = scene.observers.size();
     plan.steps = scene_steps(scene);
     for (const Instant step : plan.steps) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
@@ -201,19 +187,7 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
                     double(observer.width) * observer.height * costs.detect_per_pixel +
                     costs.light_per_facet * double(plan.facets));
         plan.memory = std::max(plan.memory, cost.seen_pixels * 100.0);
-        plan.decisions.push_back(
-            {.what = "instrument " + cost.name,
-             .computed = true,
-             .why = cost.oversampling.why + fmt::format("; {} rays per sample", cost.samples),
-             .error = 0.0,
-             .error_unit = "W m-2 sr-1"});
-        if (cost.left_out.empty()) continue;
-        plan.decisions.push_back(
-            {.what = "stages of instrument " + cost.name,
-             .computed = false,
-             .why = fmt::format("disabled by its settings: {}", fmt::join(cost.left_out, ", ")),
-             .error = 0.0,
-             .error_unit = "W m-2 sr-1"});
+        plan.instruments.push_back(cost);
     }
     return seconds;
 }
@@ -281,33 +255,34 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     const double lit =
         weather.spreads ? double(std::min<std::size_t>(200, weather.spreads->instant.size())) : 0.0;
     plan.stages = {
-        {"terrain", costs.start + costs.world_per_facet * facets + costs.light_per_hour * lit},
-        {"sky view", (costs.sky_per_facet * (facets - networks) +
-                      costs.sky_per_ray * networks * scene.object_sky_rays) /
-                         threads},
-        {"shadows",
+        {StageId::terrain,
+         costs.start + costs.world_per_facet * facets + costs.light_per_hour * lit},
+        {StageId::sky_view, (costs.sky_per_facet * (facets - networks) +
+                             costs.sky_per_ray * networks * scene.object_sky_rays) /
+                                threads},
+        {StageId::shadows,
          sunlit * (costs.shadow_per_ground * ground + costs.shadow_per_object * (facets - ground)) /
              threads},
-        {"heat balance",
+        {StageId::heat_balance,
          passes *
              (steps * (costs.heat_per_step * (facets - networks - coupled) +
                        costs.heat_per_coupled_step * coupled) +
               points.seconds + network_seconds(scene, static_cast<std::size_t>(networks))) /
              threads},
-        {"write temperatures", costs.write_per_value * values},
-        {"views", (through * costs.cast_per_ray * double(plan.view_rays) +
-                   costs.secondary_per_ray * work.followed_rays) /
-                      threads},
-        {"frames",
+        {StageId::write_temperatures, costs.write_per_value * values},
+        {StageId::views, (through * costs.cast_per_ray * double(plan.view_rays) +
+                          costs.secondary_per_ray * work.followed_rays) /
+                             threads},
+        {StageId::frames,
          (through * costs.render_per_pixel * work.pixels + costs.air_per_band * work.pictures +
           costs.secondary_per_root * work.onward + costs.render_per_channel * work.channel_pixels +
           costs.air_per_channel * work.channel_pictures +
           costs.light_per_facet * facets * double(plan.pictures)) /
              threads},
-        {"report", costs.annotate_per_pixel * double(plan.frame_pixels)},
+        {StageId::report, costs.annotate_per_pixel * double(plan.frame_pixels)},
     };
     if (!scene.instruments.empty()) {
-        plan.stages.insert(plan.stages.end() - 1, {"instruments", instruments / threads});
+        plan.stages.insert(plan.stages.end() - 1, {StageId::instruments, instruments / threads});
     }
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
@@ -320,65 +295,6 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
         work.largest_view;
 }
 
-std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {
-    const std::size_t dark = plan.steps.size() - plan.sunlit_steps.size();
-    const auto standing =
-        std::size_t(std::count_if(scene.observers.begin(), scene.observers.end(),
-                                  [](const ObserverInput& o) { return !o.goes(); }));
-    const bool terms = std::any_of(scene.observers.begin(), scene.observers.end(),
-                                   [](const ObserverInput& o) { return o.terms; });
-    return {
-        {.what = "shadows",
-         .computed = true,
-         .why =
-             fmt::format("the sun is up in {} of {} steps; the other {} need no rays; a shadow "
-                         "edge within a step is located to 20 s, so the error lasts a few minutes",
-                         plan.sunlit_steps.size(), plan.steps.size(), dark),
-         .error = 0.4,
-         .error_unit = "K"},
-        {.what = "heat balance step by step",
-         .computed = true,
-         .why = "modal solution per material, rms over facets and instants (bench/results)",
-         .error = 0.003,
-         .error_unit = "K"},
-        {.what = "evaporation",
-         .computed = wet_materials(scene, world, true) != "none",
-         .why = fmt::format("wet: {}; dry (omitted): {}", wet_materials(scene, world, true),
-                            wet_materials(scene, world, false)),
-         .error = 0.0,
-         .error_unit = "W m-2"},
-        {.what = "exchange between facets",
-         .computed = true,
-         .why = "only facets whose rays meet other facets; open ground has no row",
-         .error = 0.0,
-         .error_unit = "W m-2"},
-        {.what = "reflected sun at night",
-         .computed = false,
-         .why = "the sun is below the horizon",
-         .error = 0.0,
-         .error_unit = "W m-2 sr-1"},
-        {.what = "radiance of unseen facets",
-         .computed = false,
-         .why = "not in any pixel; their temperatures still heat visible facets",
-         .error = 0.0,
-         .error_unit = "W m-2 sr-1"},
-        {.what = "rays per frame",
-         .computed = false,
-         .why = standing == scene.observers.size()
-                    ? "nothing moves: each observer's view is traced once for all frames"
-                    : fmt::format("{} of {} observers are fixed: their views are traced once, the "
-                                  "others' for each frame",
-                                  standing, scene.observers.size()),
-         .error = 0.0,
-         .error_unit = "W m-2 sr-1"},
-        {.what = "terms of the radiance as planes",
-         .computed = terms,
-         .why = terms ? "requested by observer.terms" : "not requested by observer.terms",
-         .error = 0.0,
-         .error_unit = "W m-2 sr-1"},
-    };
-}
-
 }  // namespace
 
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
@@ -386,35 +302,8 @@ Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
     Plan plan;
     count_work(scene, world, plan);
     estimate(scene, world, weather, sequences, plan);
-    std::vector<Decision> decisions = decisions_of(scene, world, plan);
-    decisions.insert(decisions.end(), plan.decisions.begin(), plan.decisions.end());
-    plan.decisions = std::move(decisions);
+    plan.decisions = decisions_of(scene, world, weather, sequences);
     return plan;
-}
-
-std::string describe(const Plan& plan) {
-    std::string text = fmt::format(
-        "facets      {:>12}\n"
-        "steps       {:>12}   {} with the sun up\n"
-        "pictures    {:>12}   {:.4g} pixels, at {}\n"
-        "rays        {:>12.4g}   sky {:.3g}, sun {:.3g}, views {:.3g}\n"
-        "memory      {:>9.0f} MB  estimated\n"
-        "time        {:>10.1f} s   estimated, {}\n",
-        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.pictures,
-        double(plan.frame_pixels), number_of(plan.frames.size(), "instant"),
-        static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
-        static_cast<double>(plan.sky_rays), static_cast<double>(plan.sun_rays),
-        static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds,
-        number_of(thread_count(), "thread"));
-    for (const PlannedStage& stage : plan.stages) {
-        text += fmt::format("  {:<18} {:>6.1f} s\n", stage.name, stage.seconds);
-    }
-    for (const Decision& decision : plan.decisions) {
-        text += fmt::format("{:<9} {:<34} {} (error {:g} {})\n",
-                            decision.computed ? "computed" : "skipped", decision.what, decision.why,
-                            decision.error, decision.error_unit);
-    }
-    return text;
 }
 
 }  // namespace diurna

@@ -2,28 +2,21 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/plan/decisions.hpp"
+#include "scenes/plan/instrument_cost.hpp"
 #include "scenes/plan/sequence.hpp"
+#include "scenes/plan/stage_id.hpp"
 #include "scenes/world/world.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
 
-/// A decision of the plan: a stage, whether it is computed, and the cost of skipping it.
-struct Decision {
-    std::string what;
-    bool computed = true;
-    std::string why;
-    double error = 0.0;      // upper bound on the error of skipping; 0: exact
-    std::string error_unit;  // "K", "W m-2", "W m-2 sr-1"
-};
-
-/// A stage of the job (scenes/run/job) and its estimated time [s].
+/// A stage of the job and its estimated time [s]; that of `report` includes labels.
 struct PlannedStage {
-    std::string name;
+    StageId stage;
     double seconds = 0.0;
 };
 
@@ -40,15 +33,14 @@ struct Plan {
     double memory = 0.0;           // [bytes] maximum
     double seconds = 0.0;          // sum of the stages: within 1.5 times on idle cores
     std::vector<PlannedStage> stages;
-    std::vector<Decision> decisions;
+    std::size_t observers = 0;
+    std::vector<InstrumentCost> instruments;
+    Decisions decisions;  // followed by the run
 };
 
 /// Depends only on the scene, its facets and the positions of its observers (without these,
 /// mirrored pixels are not counted). Costs of each item: scenes/plan/plan_costs.hpp.
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
                std::span<const Sequence> sequences = {});
-
-/// The text printed by `diurna plan`.
-std::string describe(const Plan& plan);
 
 }  // namespace diurna

@@ -149,9 +149,16 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         motion = {places(-reach), places(reach)};
     }
     RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
-    return {prepared.scene,     std::move(world),  std::move(rays),   prepared.weather,
-            prepared.sequences, prepared.plan,     prepared.plumes,   prepared.radiometers,
-            prepared.notes,     prepared.movement, prepared.warnings, prepared.light};
+    return {prepared.parts,
+            std::make_shared<const ScenePlace>(ScenePlace{std::move(world), std::move(rays)})};
+}
+
+Prepared with_pictures(const Prepared& prepared, std::vector<ObserverInput> observers,
+                       std::vector<Sequence> sequences) {
+    auto parts = std::make_shared<SceneParts>(*prepared.parts);
+    parts->scene.observers = std::move(observers);
+    parts->sequences = std::move(sequences);
+    return {std::move(parts), prepared.place};
 }
 
 Prepared prepare(Scene scene) {
@@ -224,12 +231,19 @@ Prepared prepare(Scene scene) {
     warnings.insert(warnings.end(), implausible.begin(), implausible.end());
     auto light = std::make_shared<const InstantLights>(scene, world, weather);
     scene.files = merged(scene.files, opened.files());
-    return {std::move(scene),    std::move(world),
-            std::move(rays),     std::move(weather),
-            std::move(pictures), std::move(plan),
-            std::move(plumes),   std::move(radiometers),
-            std::move(notes),    std::move(movement_of_objects),
-            std::move(warnings), std::move(light)};
+    return {std::make_shared<const SceneParts>(SceneParts{
+                .scene = std::move(scene),
+                .weather = std::move(weather),
+                .sequences = std::move(pictures),
+                .plan = std::move(plan),
+                .plumes = std::move(plumes),
+                .radiometers = std::move(radiometers),
+                .notes = std::move(notes),
+                .movement = std::move(movement_of_objects),
+                .warnings = std::move(warnings),
+                .light = std::move(light),
+            }),
+            std::make_shared<const ScenePlace>(ScenePlace{std::move(world), std::move(rays)})};
 }
 
 }  // namespace diurna

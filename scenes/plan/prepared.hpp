@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -23,11 +24,9 @@ struct PlacedRadiometer {
     Eigen::Vector3d place;
 };
 
-/// Everything known after a scene is built: place, triangles, weather, tasks.
-struct Prepared {
+/// What is known of a scene wherever its moving objects are.
+struct SceneParts {
     Scene scene;
-    World world;
-    RayScene rays;
     Weather weather;
     std::vector<Sequence> sequences;  // of the observers, in the order of the scene
     Plan plan;
@@ -39,6 +38,35 @@ struct Prepared {
     std::shared_ptr<const InstantLights> light;  // for that weather, as in the heat balance
 };
 
+/// Its triangles with the moving objects at certain places.
+struct ScenePlace {
+    World world;
+    RayScene rays;
+};
+
+/// Everything known after a scene is built: place, triangles, weather, tasks. It does not change
+/// afterwards: copies share what they refer to.
+struct Prepared {
+    std::shared_ptr<const SceneParts> parts;
+    std::shared_ptr<const ScenePlace> place;
+
+    const Scene& scene = parts->scene;
+    const World& world = place->world;
+    const RayScene& rays = place->rays;
+    const Weather& weather = parts->weather;
+    const std::vector<Sequence>& sequences = parts->sequences;
+    const Plan& plan = parts->plan;
+    const std::vector<Plume>& plumes = parts->plumes;
+    const std::vector<PlacedRadiometer>& radiometers = parts->radiometers;
+    const std::vector<std::string>& notes = parts->notes;
+    const Movement& movement = parts->movement;
+    const std::vector<Mistake>& warnings = parts->warnings;
+    const std::shared_ptr<const InstantLights>& light = parts->light;
+
+    Prepared(std::shared_ptr<const SceneParts> of_scene, std::shared_ptr<const ScenePlace> there)
+        : parts(std::move(of_scene)), place(std::move(there)) {}
+};
+
 /// The light at an instant: that of the heat balance, by wavelength and direction.
 LightOfInstant light_at(const Prepared& prepared, Instant instant);
 
@@ -48,6 +76,10 @@ Prepared moved(const Prepared& prepared, const MoverPoses& poses);
 /// and after [s].
 Prepared moving(const Prepared& prepared, const MoverPoses& poses,
                 const std::vector<Motion>& motions, double reach);
+
+/// The same with fewer pictures: the observers and sequences of some of them, in the scene's order.
+Prepared with_pictures(const Prepared& prepared, std::vector<ObserverInput> observers,
+                       std::vector<Sequence> sequences);
 
 /// Builds the world and makes all checks that are possible before anything is computed or written.
 Prepared prepare(Scene scene);

@@ -27,10 +27,11 @@ Progress::~Progress() {
     if (!name_.empty() && to_.style == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::stage(const std::string& name) {
+void Progress::stage(StageId id, const std::string& what) {
     finish();
     const std::lock_guard lock(mutex_);
-    name_ = name;
+    id_ = id;
+    name_ = name_of(id, what);
     doing_.clear();
     share_ = 0.0;
     tenths_ = 0;
@@ -84,9 +85,10 @@ void Progress::tell(const std::string& note) {
     std::fflush(stderr);
 }
 
-void Progress::set_apart(const std::string& name, double seconds) {
+void Progress::set_apart(StageId id, double seconds) {
     const std::lock_guard lock(mutex_);
-    stages_.push_back({name, seconds});
+    const std::string name = name_of(id);
+    stages_.push_back({id, name, seconds});
     began_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     if (to_.style == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
 }
@@ -94,7 +96,7 @@ void Progress::set_apart(const std::string& name, double seconds) {
 void Progress::finish() {
     const std::lock_guard lock(mutex_);
     if (name_.empty()) return;
-    stages_.push_back({name_, seconds_since(began_)});
+    stages_.push_back({id_, name_, seconds_since(began_)});
     show(1.0, true);
     if (to_.listener) to_.listener(name_, 1.0);
     name_.clear();

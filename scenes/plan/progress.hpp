@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/plan/stage_id.hpp"
+
 namespace diurna {
 
 enum class ProgressStyle { bar, lines, json, silent };
@@ -38,7 +40,9 @@ class Progress {
     ~Progress();
 
     /// Ends the previous stage and begins the next.
-    void stage(const std::string& name);
+    ///
+    /// - what: what it works on, an observer or the step of a study; "": the whole scene
+    void stage(StageId id, const std::string& what = "");
     /// Completed share of the present stage, 0 to 1. Fast; may be called from any thread.
     void done(double share);
     /// The current item of the present stage, in a few words; shown if it takes long.
@@ -46,12 +50,13 @@ class Progress {
     /// Prints a separate line at once: information needed before the end.
     void tell(const std::string& note);
     /// Counts seconds of the present stage as a separate stage before it.
-    void set_apart(const std::string& name, double seconds);
+    void set_apart(StageId id, double seconds);
     /// Ends the last stage.
     void finish();
 
     struct Stage {
-        std::string name;
+        StageId id;
+        std::string name;  // name_of(id, what)
         double seconds;
     };
     const std::vector<Stage>& stages() const { return stages_; }
@@ -63,6 +68,7 @@ class Progress {
 
     ProgressTo to_;
     std::mutex mutex_;
+    StageId id_ = StageId::terrain;
     std::string name_, doing_;
     double share_ = 0.0;  // last reported
     int tenths_ = 0;      // number already printed for the present stage

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/plan/plan_text.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/page.hpp"
 
@@ -18,12 +19,8 @@ std::string table_row(const std::string& key, const std::string& value) {
     return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
 }
 
-/// Whether a stage that ran is one of those that the plan has under one name.
-bool belongs(const std::string& stage, const std::string& planned) {
-    if (planned == "views") return stage.starts_with("cast view of ");
-    if (planned == "frames" || planned == "instruments") return stage.starts_with(planned + " of ");
-    return stage == (planned == "report" ? "labels" : planned);
-}
+/// The planned stage that one of the run belongs to.
+StageId planned_as(StageId stage) { return stage == StageId::labels ? StageId::report : stage; }
 
 struct TimeRow {
     std::string name;
@@ -44,22 +41,22 @@ std::string timed(const TimeRow& of) {
 /// What the plan has names for, then what it has none for.
 std::vector<TimeRow> time_rows(const JobReport& report) {
     std::vector<TimeRow> rows;
-    std::set<std::string> reported;
+    std::set<StageId> reported;
     for (const PlannedStage& planned : report.plan.stages) {
-        TimeRow one{.name = planned.name, .planned = planned.seconds};
-        if (planned.name == "sky view") one.rays = double(report.plan.sky_rays);
-        if (planned.name == "shadows") one.rays = double(report.plan.sun_rays);
-        if (planned.name == "views") one.rays = double(report.plan.view_rays);
-        if (planned.name == "report") one.name = "labels and this page (not measured)";
+        TimeRow one{.name = name_of(planned.stage), .planned = planned.seconds};
+        if (planned.stage == StageId::sky_view) one.rays = double(report.plan.sky_rays);
+        if (planned.stage == StageId::shadows) one.rays = double(report.plan.sun_rays);
+        if (planned.stage == StageId::views) one.rays = double(report.plan.view_rays);
+        if (planned.stage == StageId::report) one.name = "labels and this page (not measured)";
         for (const Progress::Stage& stage : report.stages) {
-            if (!belongs(stage.name, planned.name)) continue;
+            if (planned_as(stage.id) != planned.stage) continue;
             one.taken = std::max(0.0, one.taken) + stage.seconds;
-            reported.insert(stage.name);
         }
+        reported.insert(planned.stage);
         rows.push_back(std::move(one));
     }
     for (const Progress::Stage& stage : report.stages) {
-        if (!reported.contains(stage.name))
+        if (!reported.contains(planned_as(stage.id)))
             rows.push_back({.name = stage.name, .taken = stage.seconds});
     }
     return rows;
@@ -93,11 +90,10 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
                                  report.ground_check.worst_error, report.ground_check.rms_error,
                                  prepared.scene.terrain.elevation.tolerance));
     for (const auto& [key, value] : report.heat) out += table_row(escaped(key), escaped(value));
-    for (const Decision& decision : report.plan.decisions) {
-        if (!(decision.error > 0.0)) continue;
-        out += table_row(escaped(decision.what),
-                         fmt::format("{:g} {}: {}", decision.error, escaped(decision.error_unit),
-                                     escaped(decision.why)));
+    for (const PlanRow& row : plan_rows(report.plan)) {
+        if (!(row.error > 0.0)) continue;
+        out += table_row(escaped(row.what), fmt::format("{:g} {}: {}", row.error,
+                                                        escaped(row.error_unit), escaped(row.why)));
     }
     return out +
            "</table>\n<p class=\"key\">These errors are of different kinds and do not add up. The "
@@ -122,13 +118,12 @@ std::string timings_table(const JobReport& report) {
 std::string decisions_table(const Plan& plan) {
     std::string out =
         "<table class=\"stack\">\n<tr><th></th><th>what</th><th>why</th><th>error</th></tr>\n";
-    for (const Decision& decision : plan.decisions) {
-        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                           decision.computed ? "computed" : "<strong>skipped</strong>",
-                           escaped(decision.what), escaped(decision.why),
-                           decision.error > 0.0 ? fmt::format("{:g} {}", decision.error,
-                                                              escaped(decision.error_unit))
-                                                : "none");
+    for (const PlanRow& row : plan_rows(plan)) {
+        out += fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+            row.computed ? "computed" : "<strong>skipped</strong>", escaped(row.what),
+            escaped(row.why),
+            row.error > 0.0 ? fmt::format("{:g} {}", row.error, escaped(row.error_unit)) : "none");
     }
     return out + "</table>\n";
 }

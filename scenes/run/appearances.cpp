@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scenes/run/light_source.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
+#include "scenes/world/light_source.hpp"
 #include "terrain/place/sun.hpp"
 
 namespace diurna {

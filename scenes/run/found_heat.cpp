@@ -74,12 +74,12 @@ void drop_error_of_others(const Scene& scene, Messages& messages) {
 }  // namespace
 
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
-                     double tolerance) {
+                     const HeatDecision& decision) {
     const Prepared& prepared = stages.scene();
     const OutputInput& output = prepared.scene.output;
     const bool kept_whole = !output.state && !output.fluxes && prepared.radiometers.empty();
     const StageStore* store = kept_whole ? stages.store() : nullptr;
-    const std::string key = store == nullptr ? "" : heat_key(prepared, inputs, tolerance);
+    const std::string key = store == nullptr ? "" : heat_key(prepared, inputs, decision.tolerance);
     if (const auto bytes = store == nullptr ? std::nullopt : store->find(stage, key)) {
         FoundHeat found = heat_of(*bytes);
         const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
@@ -92,8 +92,7 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{.result = solve_scene(stages, progress, tolerance, prepared.scene.check_points),
-                   .reported = {}};
+    SceneHeat heat{.result = solve_scene(stages, progress, decision), .reported = {}};
     heat.reported = messages_of(prepared.scene, heat.result);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {

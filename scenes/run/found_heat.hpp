@@ -27,7 +27,7 @@ struct SceneHeat {
 ///
 /// - inputs: of the run, for a scene that is unchanged since it was read
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
-                     double tolerance);
+                     const HeatDecision& decision);
 
 /// Messages with a name: "start".
 std::vector<std::string> reported_as(const std::string& name, const SceneHeat& heat);

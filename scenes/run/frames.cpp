@@ -158,7 +158,7 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
     };
     for (std::size_t s = 0; s < still.size(); ++s) {
         if (still[s].empty()) continue;
-        progress.stage("cast view of " + input.name);
+        progress.stage(StageId::views, input.name);
         const SceneStage stage = stages.at(s);
         std::vector<Instant> frames;  // of the stage, whichever are still to be rendered
         for (const Instant when : sequence.frame) {
@@ -168,13 +168,13 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
             cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
         const std::vector<InstrumentSeries> finer = cast_instruments(
             instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
-        progress.stage("frames of " + input.name);
+        progress.stage(StageId::frames, input.name);
         each(still[s], [&](std::size_t frame) {
             render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame], finer,
                            out, ledger);
         });
     }
-    if (!alone.empty()) progress.stage("frames of " + input.name);
+    if (!alone.empty()) progress.stage(StageId::frames, input.name);
     each(alone, [&](std::size_t frame) {
         render_alone(stages, o, input, frame, field, instruments, out, ledger);
     });
@@ -202,7 +202,7 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
         if (!wanted.empty()) {
             const InstrumentViews instruments = instrument_views(prepared.scene, input);
             render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
-            if (!instruments.empty()) progress.stage("instruments of " + input.name);
+            if (!instruments.empty()) progress.stage(StageId::instruments, input.name);
             for (const auto& view : instruments) {
                 Messages notes;
                 for (std::string& note :

@@ -77,10 +77,10 @@ void check_facets(const Prepared& prepared, const fs::path& file, std::size_t fo
 
 }  // namespace
 
-GivenHeat given_heat(const Prepared& prepared, const fs::path& file) {
+GivenHeat given_heat(const Prepared& prepared, const std::vector<RunInput>& inputs,
+                     const fs::path& file) {
     GivenHeat given{.field = load_temperature_field(file)};
     check_facets(prepared, file, given.field.facets);
-    const std::vector<RunInput> inputs = run_inputs(prepared.scene);
     const std::vector<std::string> changed =
         changed_since(temperatures_made_of(file), heat_made_of(prepared.scene, inputs));
     const std::vector<fs::path>& weather = prepared.scene.weather.files;

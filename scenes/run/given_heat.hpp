@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/cache/inputs.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/temperature_field.hpp"
@@ -19,7 +20,10 @@ struct GivenHeat {
 /// Reads them. Throws InputError if they are of another scene: of other facets, places, materials,
 /// objects or weather. Other changed inputs, including the scene file beyond its observers, bands
 /// and labels, are reported as a warning.
-GivenHeat given_heat(const Prepared& prepared, const std::filesystem::path& file);
+///
+/// - inputs: run_inputs() of the scene
+GivenHeat given_heat(const Prepared& prepared, const std::vector<RunInput>& inputs,
+                     const std::filesystem::path& file);
 
 /// Throws InputError for pictures of facets that the run of `file` did not solve but took from
 /// representatives (tolerance_K).

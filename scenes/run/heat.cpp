@@ -12,7 +12,6 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/cache/heat_inputs.hpp"
-#include "scenes/cache/inputs.hpp"
 #include "scenes/run/check_error.hpp"
 #include "scenes/run/check_points.hpp"
 #include "scenes/run/needed_facets.hpp"
@@ -89,11 +88,12 @@ std::string start_reported(const SolveInput& input, const SpanOptions& span,
 }
 
 /// Names and clock of a scene, for its file of temperatures.
-FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
+FieldNotes field_notes(const Prepared& prepared, const std::vector<RunInput>& inputs,
+                       const HeatFluxField& fluxes) {
     FieldNotes notes{.objects = prepared.world.objects,
                      .utc_offset = prepared.scene.time.utc_offset,
                      .fluxes = prepared.scene.output.fluxes && !fluxes.empty() ? &fluxes : nullptr,
-                     .made_of = heat_made_of(prepared.scene, run_inputs(prepared.scene))};
+                     .made_of = heat_made_of(prepared.scene, inputs)};
     const MaterialLibrary& materials = prepared.scene.materials;
     for (std::size_t i = 0; i < materials.size(); ++i) {
         notes.materials.push_back(materials[MaterialId(i)].kind());
@@ -128,21 +128,6 @@ std::string not_converged(const SolveReport& report) {
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
 namespace {
-
-/// Why a scene is solved whole though a tolerance is given; "" where it need not be.
-std::string why_whole(const Prepared& scene, double tolerance) {
-    constexpr std::size_t few_facets = 5000;
-    if (!(tolerance > 0.0)) return "temperatures are requested without pictures";
-    if (scene.scene.output.state) return "the state of all facets is saved (output.state)";
-    if (scene.scene.time.spin_up == SpanStart::state)
-        return "the solution continues from a state of all facets";
-    if (!scene.radiometers.empty()) return "radiometers see the whole scene";
-    if (scene.sequences.empty()) return "there are no pictures";
-    if (scene.world.surfaces().size() <= few_facets) {
-        return fmt::format("the scene has at most {} facets", few_facets);
-    }
-    return "";
-}
 
 /// The span of representative facets, and of check points beside them.
 SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
@@ -206,11 +191,10 @@ std::string reported(const NeededFacets& needed, const TemperatureField& field) 
 
 }  // namespace
 
-SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance,
-                       int check_points) {
+SpanResult solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision) {
     const Prepared& scene = stages.scene();
     const std::optional<HeatState> earlier = earlier_state(scene);
-    progress.stage("heat balance");
+    progress.stage(StageId::heat_balance);
     SpanOptions span = scene_span(scene.scene);
     span.from = earlier ? &*earlier : nullptr;
     span.day.progress = [&](double share) { progress.done(share); };
@@ -226,14 +210,13 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     }
     const StageHeat& first = *heat.front();
     std::optional<NeededFacets> needed;
-    const std::string whole = why_whole(scene, tolerance);
-    if (whole.empty()) {
-        needed = needed_facets(stages, first.input().network, tolerance);
+    if (decision.every_facet.empty()) {
+        needed = needed_facets(stages, first.input().network, decision.tolerance);
         for (const auto& own : heat) own->ask_for(solid_facets(*needed, scene.world));
     }
     CheckPoints points;
-    if (check_points > 0 && can_check(scene)) {
-        points = diurna::check_points(stages, first.input().network, check_points);
+    if (decision.check_points > 0 && can_check(scene)) {
+        points = check_points(stages, first.input().network, decision.check_points);
     }
     const bool whole_scene = !needed && points.point.empty();
     SpanResult result =
@@ -248,7 +231,8 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     if (needed) {
         result.notes.push_back(reported(*needed, result.temperature));
     } else if (scene.scene.tolerance > 0.0) {
-        result.notes.push_back("solved: all facets; tolerance_K is not used: " + whole);
+        result.notes.push_back("solved: all facets; tolerance_K is not used: " +
+                               decision.every_facet);
     }
     result.start += ": " + start_reported(first.input(), span, result);
     for (std::string& note : first.reported(result.report)) {
@@ -256,14 +240,14 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     }
     double shadows = 0.0;
     for (const auto& own : heat) shadows += own->shadow_seconds();
-    progress.set_apart("shadows", shadows);
+    progress.set_apart(StageId::shadows, shadows);
     return result;
 }
 
-void write_heat(const Prepared& prepared, const SpanResult& result,
-                const std::filesystem::path& temperatures) {
+void write_heat(const Prepared& prepared, const std::vector<RunInput>& inputs,
+                const SpanResult& result, const std::filesystem::path& temperatures) {
     const FacetSet& surfaces = prepared.world.surfaces();
-    const FieldNotes notes = field_notes(prepared, result.heat);
+    const FieldNotes notes = field_notes(prepared, inputs, result.heat);
     const Site& site = prepared.world.site;
     if (prepared.movement.none()) {
         save_temperature_field(temperatures, result.temperature, surfaces, site, notes);

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "scenes/cache/inputs.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/stages.hpp"
@@ -18,21 +20,22 @@ std::string not_converged(const SolveReport& report);
 void check_start(const Prepared& prepared);
 
 /// Shadows and heat balance, stage by stage: only temperatures. Throws InputError as
-/// check_start(). With a tolerance, facets that are neither visible in pictures nor
-/// thermally coupled to visible ones are not solved: they use representatives'
-/// temperatures (scenes/run/needed_facets.hpp), and a note reports their number and
-/// kind.
+/// check_start(). Where the plan decides that not every facet is solved, those that are neither
+/// visible in pictures nor thermally coupled to visible ones use representatives' temperatures
+/// (scenes/run/needed_facets.hpp), and a note reports their number and kind. A note reports the
+/// error at check points, too (scenes/run/check_error.hpp); none if objects move or a state is
+/// written or read.
 ///
-/// - tolerance: [K] allowed rms error of pictures; 0: every facet is solved
-/// - check_points: points in pictures that are solved in addition; a note reports the facets' error
-///   (scenes/run/check_error.hpp). None if objects move or a state is written or read
-SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0,
-                       int check_points = 0);
+/// - decision: that of the plan for a run with pictures (Plan::decisions); by default every facet
+///   is solved, without check points
+SpanResult solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision = {});
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and also the state at the end, if the scene
 /// requests it.
-void write_heat(const Prepared& prepared, const SpanResult& result,
-                const std::filesystem::path& temperatures);
+///
+/// - inputs: run_inputs() of the scene, named in the file
+void write_heat(const Prepared& prepared, const std::vector<RunInput>& inputs,
+                const SpanResult& result, const std::filesystem::path& temperatures);
 
 }  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 
 #include "materials/base/error.hpp"
@@ -71,14 +72,19 @@ std::vector<std::string> said_of_job(const PictureChoice& choice) {
     return texts;
 }
 
-/// Leaves of the chosen observers the frames that stand in the folder, for labels and report.
-/// Returns how many there are, and of how many.
-std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>& chosen,
-                                               const Ledger& ledger, Prepared& prepared) {
+/// The scene with those of the chosen pictures that are in the folder, for labels and report.
+struct PicturesThere {
+    Prepared scene;
+    std::size_t there, all;  // frames, those chosen
+};
+PicturesThere pictures_there(const Prepared& prepared, const std::vector<ObserverInput>& chosen,
+                             const Ledger& ledger) {
     std::size_t there = 0, all = 0;
+    std::vector<ObserverInput> observers = prepared.scene.observers;
+    std::vector<Sequence> sequences = prepared.sequences;
     for (std::size_t o = 0; o < chosen.size(); ++o) {
-        ObserverInput& observer = prepared.scene.observers[o];
-        Sequence& sequence = prepared.sequences[o];
+        ObserverInput& observer = observers[o];
+        Sequence& sequence = sequences[o];
         observer.bands = chosen[o].bands;
         observer.cubes = chosen[o].cubes;
         observer.instruments = chosen[o].instruments;
@@ -96,7 +102,7 @@ std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>&
         observer.frames = kept.frame;
         sequence = std::move(kept);
     }
-    return {there, all};
+    return {with_pictures(prepared, std::move(observers), std::move(sequences)), there, all};
 }
 
 /// Refuses results that would go where they are taken from.
@@ -146,9 +152,9 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
 TemperatureField write_found(const Stages& stages, const Manifest& manifest, const fs::path& out,
                              Progress& progress, Ledger& ledger, JobReport& report) {
     const Prepared& prepared = stages.scene();
-    SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.scene.tolerance);
-    progress.stage("write temperatures");
-    write_heat(prepared, heat.result, out / "temperatures.nc");
+    SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.plan.decisions.heat);
+    progress.stage(StageId::write_temperatures);
+    write_heat(prepared, manifest.inputs, heat.result, out / "temperatures.nc");
     for (auto& reported : write_radiometers(stages, heat.result, out)) {
         heat.reported.push_back(std::move(reported));
     }
@@ -159,9 +165,12 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
 }
 
 /// Temperatures that are given. Throws InputError where they are not of these pictures.
-TemperatureField given_field(const Stages& stages, const std::vector<ObserverInput>& chosen,
-                             const fs::path& file, JobReport& report) {
-    GivenHeat given = given_heat(stages.scene(), file);
+TemperatureField given_field(const Stages& stages, const Manifest& manifest,
+                             const std::vector<ObserverInput>& chosen, const fs::path& file,
+                             JobReport& report) {
+    std::vector<RunInput> inputs = manifest.inputs;
+    inputs.pop_back();  // the temperatures themselves
+    GivenHeat given = given_heat(stages.scene(), inputs, file);
     std::vector<Instant> frames;
     for (const ObserverInput& observer : chosen)
         frames.insert(frames.end(), observer.frames.begin(), observer.frames.end());
@@ -207,17 +216,14 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     const fs::path& out = options.out;
     check_run_folder(out, FolderKind::run);
     Progress progress(options.progress);
-    progress.stage("terrain");
-    Prepared prepared = prepare(std::move(scene));
+    progress.stage(StageId::terrain);
+    if (!options.temperatures.empty()) scene.output.fluxes = scene.output.state = false;
+    const Prepared prepared = prepare(std::move(scene));
     const GreyFormat format = prepared.scene.labels.format;
     const std::vector<std::string> pictures = frame_files(prepared.scene.observers, format);
     const std::vector<ObserverInput> chosen = chosen_pictures(prepared.scene, options.pictures);
     check_memory(prepared.plan, options.max_memory);
-    if (options.temperatures.empty()) {
-        check_start(prepared);
-    } else {
-        prepared.scene.output = {};  // of a heat balance
-    }
+    if (options.temperatures.empty()) check_start(prepared);
     Manifest manifest = manifest_of(prepared, options);
     check_no_input_in(out, manifest.inputs);
     JobReport report{.plan = prepared.plan,
@@ -238,7 +244,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     const Stages stages(prepared, options.stages);
     TemperatureField field;
     if (!options.temperatures.empty()) {
-        field = given_field(stages, chosen, options.temperatures, report);
+        field = given_field(stages, manifest, chosen, options.temperatures, report);
     }
     const std::string earlier = ledger_key(out);
     const bool begun = options.resume && earlier == manifest.key;
@@ -248,7 +254,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     Ledger ledger(out, manifest.key, options.resume || given || !options.parts.empty());
     begin_folder(expected, out, ledger, progress, report);
     write_manifest(out, prepared.scene, manifest);
-    progress.stage("sky view");
+    progress.stage(StageId::sky_view);
     stages.at(0);
 
     if (options.temperatures.empty()) {
@@ -277,18 +283,21 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const std::string& file : pictures) {
         if (ledger.has({file})) report.files.push_back(file);
     }
+    std::optional<PicturesThere> some;
     if (!options.pictures.all()) {
-        const auto [there, all] = keep_there(chosen, ledger, prepared);
+        some.emplace(pictures_there(prepared, chosen, ledger));
         manifest.only = said_of_job(options.pictures);
-        report.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})", there, all,
+        report.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})",
+                                            some->there, some->all,
                                             fmt::join(manifest.only, ", ")));
     }
 
-    progress.stage("labels");
-    for (std::string& file : label_frames(prepared, out)) report.files.push_back(std::move(file));
-    progress.stage("report");
+    const Prepared& shown = some ? some->scene : prepared;
+    progress.stage(StageId::labels);
+    for (std::string& file : label_frames(shown, out)) report.files.push_back(std::move(file));
+    progress.stage(StageId::report);
     report.stages = progress.stages();
-    write_report(out, prepared, report, field);
+    write_report(out, shown, report, field);
     progress.finish();
     report.files.emplace_back("report.html");
     ledger.write();
@@ -296,7 +305,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     report.stages = progress.stages();
     manifest.outputs = report.files;
     manifest.stages = report.stages;
-    write_manifest(out, prepared.scene, manifest);
+    write_manifest(out, shown.scene, manifest);
     return report;
 }
 

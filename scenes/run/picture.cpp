@@ -17,9 +17,9 @@
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/ground_to_horizon.hpp"
 #include "scenes/run/light_heights.hpp"
-#include "scenes/run/light_source.hpp"
 #include "scenes/run/measured_materials.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
+#include "scenes/world/light_source.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
 

@@ -272,7 +272,7 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
     const std::size_t bands = input.bands.size(), targets = input.targets.size();
     ContrastReport report;
     std::vector<std::vector<ContrastRow>> by_target(targets);
-    progress.stage("contrast of " + input.name);
+    progress.stage(StageId::named, "contrast of " + input.name);
     for (std::size_t o = 0; o < input.observers.size(); ++o) {
         const std::size_t observer = input.observers[o];
         const int samples = prepared.scene.observers[observer].samples;

@@ -173,7 +173,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
     std::vector<CrossoverReport>& reports = answer.report;
     const std::vector<CrossoverGroup> all = groups(inputs);
     Progress& progress = study.progress();
-    progress.stage("contrast");
+    progress.stage(StageId::named, "contrast");
     for (const CrossoverGroup& group : all) {
         const SeenRegions regions = seen(study.stages(), group, field, 1);
         const std::vector<Instant>& instant = field.instant;
@@ -195,7 +195,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
             answer.notes.push_back(
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
         }
-        progress.stage("crossings");
+        progress.stage(StageId::named, "crossings");
         for (const CrossoverGroup& group : all) {
             if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
             follow(seen(other.stages, group, other.field, more_samples), group, inputs, reports,

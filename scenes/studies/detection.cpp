@@ -85,7 +85,7 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
         imager_of(instrument.instrument, band,
                   focal_length_of(observer, instrument.instrument.detector.pitch));
     const SystemThreshold threshold = system_threshold(imager, input.viewing);
-    progress.stage("pictures of " + input.studied.object);
+    progress.stage(StageId::named, "pictures of " + input.studied.object);
     std::vector<DetectionCurve> curves(input.studied.frames.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Instant when = input.studied.frames[i];

@@ -172,7 +172,7 @@ SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
     const std::size_t outputs = input.outputs.size();
     SensitivityReport report{.output = std::vector<OutputSensitivity>(outputs)};
     Likes likes(outputs);
-    study.progress().stage("sensitivity");
+    study.progress().stage(StageId::named, "sensitivity");
     const std::vector<double> base = sensitivity_figures(input, study.stages(), field, true, likes);
     const auto solved_with = [&](const std::vector<std::string>& settings) {
         const OtherScene other(scene_with(settings), study);

@@ -70,7 +70,7 @@ SignatureReport signature_of(const Stages& stages, const SignatureInput& input,
     const std::vector<Aspect> aspects = aspects_above(input.directions, report.below);
     const std::size_t bands = input.bands.size(), all = aspects.size();
     report.rows.resize(input.studied.frames.size() * bands * all);
-    progress.stage("aspects of " + input.studied.object);
+    progress.stage(StageId::named, "aspects of " + input.studied.object);
     std::atomic<std::size_t> done = 0;
     for (std::size_t i = 0; i < input.studied.frames.size(); ++i) {
         const Instant when = input.studied.frames[i];

@@ -23,13 +23,13 @@ namespace diurna {
 namespace {
 
 Prepared made_ready(Scene scene, Progress& progress) {
-    progress.stage("terrain");
+    progress.stage(StageId::terrain);
     return prepare(std::move(scene));
 }
 
 /// Throws InputError for what is not the whole scene's.
 GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file) {
-    GivenHeat given = given_heat(prepared, file);
+    GivenHeat given = given_heat(prepared, run_inputs(prepared.scene), file);
     if (!given.field.solved_as.empty()) {
         throw InputError(file.string(), "was computed for certain pictures only (tolerance_K)",
                          "run diurna solve without tolerance_K");
@@ -49,7 +49,7 @@ Study::Study(Scene scene, ProgressTo progress)
 
 TemperatureField Study::heat(const std::filesystem::path& file,
                              const std::vector<StudiedObject>& studied) {
-    progress_.stage("sky view");
+    progress_.stage(StageId::sky_view);
     std::set<Instant> wanted;
     for (const StudiedObject& one : studied) {
         for (const Instant when : one.frames) {

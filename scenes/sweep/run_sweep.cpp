@@ -97,8 +97,8 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
         fs::create_directories(folder);
         fs::remove(folder / "done.json");
         SpanResult result = solve_scene(stages, progress);
-        progress.stage("write temperatures");
-        write_heat(stages.scene(), result, file);
+        progress.stage(StageId::write_temperatures);
+        write_heat(stages.scene(), run_inputs(stages.scene().scene), result, file);
         for (auto& [name, text] : write_radiometers(stages, result, folder)) {
             if (name == "note") result.notes.push_back(std::move(text));
         }
@@ -134,7 +134,7 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
         render_frames(stages, prepared.scene.observers, field, folder, progress, ledger);
     for (const std::string& note : frames.warnings) tell_once(report.notes, note);
     record.notes = std::move(frames.notes);
-    progress.stage("labels of " + variant.name);
+    progress.stage(StageId::labels, variant.name);
     for (const std::string& file : label_frames(prepared, folder)) {
         record.outputs[file] = sha256_of_file(folder / file);
     }
@@ -187,10 +187,10 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         tell(read_heat_record(group.folder()), group.variants.front().heat, report);
         return;
     }
-    progress.stage(fmt::format("heat {}: terrain", group.variants.front().heat));
+    progress.stage(StageId::named, fmt::format("heat {}: terrain", group.variants.front().heat));
     const Prepared first = prepare_variant(group.sweep, *pending.front(), group.options.max_memory);
     for (const std::string& note : first.notes) tell_once(report.notes, note);
-    progress.stage("sky view");
+    progress.stage(StageId::sky_view);
     const Stages stages(first);
     stages.at(0);
     const TemperatureField field = temperatures(group, stages, progress, report);
@@ -198,7 +198,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         std::optional<Prepared> other;
         std::optional<Stages> others;
         if (variant != pending.front()) {
-            progress.stage(fmt::format("variant {}: terrain", variant->name));
+            progress.stage(StageId::named, fmt::format("variant {}: terrain", variant->name));
             other.emplace(prepare_variant(group.sweep, *variant, group.options.max_memory));
             others.emplace(*other, stages);
         }
@@ -246,7 +246,7 @@ SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
         run_group({sweep, options, all.subspan(first, last - first), ""}, progress, report);
         first = last;
     }
-    progress.stage("labels of all variants");
+    progress.stage(StageId::labels, "all variants");
     merge(sweep, options, report);
     progress.finish();
     return report;

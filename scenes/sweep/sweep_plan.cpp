@@ -15,8 +15,9 @@ std::string count_reported(const Sweep& sweep) {
 std::string describe(const Sweep& sweep, const Plan& base) {
     double heat = 0.0, pictures = 0.0;
     for (const PlannedStage& stage : base.stages) {
-        const bool of_pictures =
-            stage.name == "views" || stage.name == "frames" || stage.name == "report";
+        const bool of_pictures = stage.stage == StageId::views || stage.stage == StageId::frames ||
+                                 stage.stage == StageId::instruments ||
+                                 stage.stage == StageId::report;
         (of_pictures ? pictures : heat) += stage.seconds;
     }
     std::string text = fmt::format("sweep       {}\n", count_reported(sweep));

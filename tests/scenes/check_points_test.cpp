@@ -46,7 +46,7 @@ Solved solved(const ScratchFolder& folder, const std::string& text, int points) 
     write_text(folder.path / "scene.toml", text);
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
-    SpanResult result = solve_scene(Stages(prepared), silent, 0.0, points);
+    SpanResult result = solve_scene(Stages(prepared), silent, {.check_points = points});
     return {std::move(prepared), std::move(result)};
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
     const auto heat_of = [](const Plan& plan) {
         double seconds = 0.0;
         for (const auto& stage : plan.stages) {
-            if (stage.name == "heat balance") seconds += stage.seconds;
+            if (stage.stage == StageId::heat_balance) seconds += stage.seconds;
         }
         return seconds;
     };

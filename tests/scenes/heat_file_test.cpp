@@ -96,7 +96,7 @@ void solve_to(const std::string& text, const ScratchFolder& folder) {
     Progress progress(ProgressStyle::silent);
     const SpanResult result = solve_scene(Stages(prepared), progress);
     REQUIRE(result.report.converged);
-    write_heat(prepared, result, folder.path / "temperatures.nc");
+    write_heat(prepared, run_inputs(prepared.scene), result, folder.path / "temperatures.nc");
 }
 
 }  // namespace

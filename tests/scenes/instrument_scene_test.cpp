@@ -11,6 +11,7 @@
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/instrument_cost.hpp"
+#include "scenes/plan/plan_text.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "tests/support/small_scene.hpp"

@@ -233,7 +233,7 @@ TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]"
         Progress silent(ProgressStyle::silent);
         SpanResult result = solve_scene(Stages(prepared), silent);
         std::filesystem::create_directories(folder.path / name);
-        write_heat(prepared, result, folder.path / name / "temperatures.nc");
+        write_heat(prepared, run_inputs(prepared.scene), result, folder.path / name / "temperatures.nc");
         return result;
     };
     const auto span = [](const char* start, const char* end, const std::string& more) {

@@ -64,7 +64,8 @@ TEST_CASE("facets that no picture needs are left out within the tolerance",
     Progress silent(ProgressStyle::silent);
     const SpanResult whole = solve_scene(stages, silent);
     constexpr double tolerance = 0.1;
-    const SpanResult part = solve_scene(stages, silent, tolerance);
+    const SpanResult part =
+        solve_scene(stages, silent, {.every_facet = "", .tolerance = tolerance});
     const auto note = std::find_if(part.notes.begin(), part.notes.end(),
                                    [](const auto& text) { return text.starts_with("solved: "); });
     REQUIRE(note != part.notes.end());
@@ -89,7 +90,7 @@ TEST_CASE("a scene whose state is kept is solved whole", "[scenes][needed]") {
     scene.tolerance = 0.1;
     const Prepared prepared = prepare(std::move(scene));
     Progress silent(ProgressStyle::silent);
-    const SpanResult result = solve_scene(Stages(prepared), silent, 0.1);
+    const SpanResult result = solve_scene(Stages(prepared), silent, prepared.plan.decisions.heat);
     CHECK(result.report.facets == prepared.world.surfaces().size());
     const auto reported = [](const SpanResult& of, const std::string& why) {
         return std::any_of(of.notes.begin(), of.notes.end(), [&](const std::string& note) {
@@ -172,7 +173,8 @@ bands = ["8-12"]
     Progress silent(ProgressStyle::silent);
     const SpanResult whole = solve_scene(stages, silent);
     constexpr double tolerance = 0.02;
-    const SpanResult part = solve_scene(stages, silent, tolerance);
+    const SpanResult part =
+        solve_scene(stages, silent, {.every_facet = "", .tolerance = tolerance});
     const std::vector<std::uint32_t>& solved_as = part.temperature.solved_as;
     REQUIRE(solved_as.size() == prepared.world.surfaces().size());
     std::size_t own = 0;

@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/plan.hpp"
+#include "scenes/plan/plan_text.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/world/ground_point.hpp"
 #include "terrain/place/sun.hpp"

@@ -22,10 +22,7 @@ std::string in_quotes(const std::string& text) {
     return out;
 }
 
-}  // namespace
-
-std::string first_scene_text(const FirstScene& scene) {
-    const double eye = std::min(120.0, 0.4 * scene.radius);  // [m] south of the middle
+std::string ground_text(const FirstScene& scene) {
     std::string text =
         fmt::format(R"(# A first scene, written by diurna new. Next:
 #
@@ -51,8 +48,10 @@ material = "grass"   # default material of the ground; list of materials: diurna
                     in_quotes(scene.name), scene.place.latitude_deg, scene.place.longitude_deg,
                     in_quotes(scene.elevation), scene.radius);
     if (scene.fills_voids) text += "voids = \"fill\"      # interpolates posts without elevation\n";
-    text +=
-        fmt::format(R"(
+    return text;
+}
+
+constexpr const char* things = R"(
 [[ground]]             # later polygons cover earlier ones; ring_m = [[east, north], ...] for other shapes
 name = "yard"
 material = "asphalt"
@@ -71,7 +70,11 @@ model = "generator"
 place_m = [8.0, 2.0]
 heading_deg = 120.0
 # running = ["06:00-18:00"]
+)";
 
+std::string weather_text(const FirstScene& scene) {
+    std::string text =
+        fmt::format(R"(
 [weather]
 file = "{}"{}
 )",
@@ -82,7 +85,12 @@ file = "{}"{}
                           "h, relative humidity 50 % at 15 h, wind 2 m/s; sun and sky are modelled"
                         : "  # quantities that the file lacks are modelled and reported");
     if (scene.weather_made_up) text += "interval = \"instant\"\n";
-    text += fmt::format(R"(
+    return text;
+}
+
+std::string pictures_text(const FirstScene& scene) {
+    const double eye = std::min(120.0, 0.4 * scene.radius);  // [m] south of the middle
+    return fmt::format(R"(
 [atmosphere]           # between surface and camera
 visibility_km = 23.0   # the air above follows the weather's mean temperature; profile = "MLW"
                        # names an AFGL profile, sounding = "FILE" a measured one
@@ -111,8 +119,13 @@ second = "yard"
 [[contrast]]
 targets = ["truck", "generator"]
 )",
-                        format_local(scene.start, scene.utc_offset), scene.duration_h, eye);
-    return text;
+                       format_local(scene.start, scene.utc_offset), scene.duration_h, eye);
+}
+
+}  // namespace
+
+std::string first_scene_text(const FirstScene& scene) {
+    return ground_text(scene) + things + weather_text(scene) + pictures_text(scene);
 }
 
 std::string clear_day(Instant day, double utc_offset) {

@@ -46,15 +46,14 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     SceneHeat heat = scene_heat(stages, inputs, progress, {});
     progress.finish();
     write_heat(prepared, inputs, heat.result, out);
-    for (auto& reported : write_radiometers(stages, heat.result, out.parent_path())) {
-        heat.reported.push_back(std::move(reported));
-    }
+    write_radiometers(stages, heat.result, out.parent_path(), heat.report);
     print_notes(prepared.notes);
-    print_notes(reported_as("note", heat));
+    print_notes(heat.report.notes);
     tell_taken(stages);
-    for (const std::string& start : reported_as("start", heat)) print_notes({"start: " + start});
-    if (const std::string reported = reported_as("not converged", heat).front(); !reported.empty())
-        throw std::runtime_error(reported);  // what there is is kept
+    print_notes({"start: " + heat.report.start});
+    if (!heat.report.not_converged.empty()) {
+        throw std::runtime_error(heat.report.not_converged);  // the file is kept
+    }
 }
 
 }  // namespace

@@ -153,6 +153,111 @@ constexpr const char* of_pictures[] = {"observer",
 
 }  // namespace
 
+namespace {
+
+/// Materials and textures, each of which may name the other.
+void read_surfaces(const Section& root, const Section& materials, Scene& scene, Reading& reading) {
+    read_materials(materials, scene, reading);
+    scene.textures = read_textures(root, reading);
+    for (const TextureInput& texture : scene.textures) {
+        reading.textures.known.push_back(texture.name);
+    }
+    for (const std::string& name : materials.free_keys()) {
+        reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
+                        name);
+    }
+}
+
+/// Weather, sky and air, which share haze and heights. Returns the table of the air.
+Section read_sky_and_air(const Section& root, Scene& scene, Reading& reading) {
+    const Section weather =
+        root.required_section("weather", "weather that drives the heat balance");
+    scene.weather = read_weather_input(weather, reading);
+    const Section sky = root.section("sky", sky_says);
+    scene.sky = read_sky(sky);
+    const Section atmosphere =
+        root.section("atmosphere", "the atmosphere between surface and observer");
+    scene.air = read_air(atmosphere);
+    take_haze(scene.air, sky, scene.sky);
+    for (const char* key : {"aerosol_380nm", "aerosol_500nm", "ozone_cm", "precipitable_water_cm",
+                            "sun", "linke_turbidity", "longwave"}) {
+        const bool idle = scene.air.drives_heat || scene.air.vacuum;
+        if (idle && sky.has(key)) scene.idle_sky_keys.emplace_back(key);
+    }
+    read_heights(weather, scene.air, scene.weather);
+    return atmosphere;
+}
+
+/// Throws for an observer whose pictures would have the names of another's.
+void check_name(const Section& observer, const ObserverInput& input,
+                const std::vector<ObserverInput>& others) {
+    const auto same = std::find_if(others.begin(), others.end(), [&](const ObserverInput& other) {
+        return picture_name(other) == picture_name(input);
+    });
+    if (same == others.end() || input.name.empty()) return;
+    observer.mistake(
+        "name", same->name == input.name
+                    ? fmt::format("the observer name \"{}\" is used twice", input.name)
+                    : fmt::format("the pictures of \"{}\" and \"{}\" would have the same names",
+                                  same->name, input.name));
+}
+
+/// Everything that looks at the scene: bands, plumes in the way, radiometers, cameras.
+void read_observers(const Section& root, Scene& scene, Reading& reading) {
+    scene.bands = read_bands(root);
+    scene.cubes = read_cubes(root);
+    scene.plumes = read_plumes(root, reading.places);
+    scene.radiometers = read_radiometers(root, reading.places);
+    reading.object_names.erase("ground");  // it has no middle to look at
+    ObserverReading seen_by{
+        .places = reading.places,
+        .bands = scene.bands,
+        .cubes = scene.cubes,
+        .terrain = scene.terrain,
+        .trajectories = scene.trajectories,
+        .time = scene.time,
+        .site = scene.site,
+        .objects = {.what = "object",
+                    .known = {reading.object_names.begin(), reading.object_names.end()}}};
+    add_objects(seen_by.objects, scene.terrain);
+    for (const Section& observer : root.sections("observer", "a camera; at least one")) {
+        ObserverInput input = read_observer(observer, seen_by);
+        check_name(observer, input, scene.observers);
+        scene.observers.push_back(std::move(input));
+    }
+    if (scene.observers.empty() && scene.radiometers.empty()) {
+        root.mistake("observer",
+                     "missing, expected at least one table [[observer]] or [[radiometer]]");
+    }
+    scene.instruments = read_instruments(root, scene.seed, scene.observers, scene.bands);
+}
+
+void read_studies(const Section& root, Scene& scene) {
+    scene.signatures = read_signatures(root, scene.terrain, scene.bands, scene.time, scene.site);
+    scene.detections = read_detections(root, scene.terrain, scene.instruments, scene.bands,
+                                       scene.observers, scene.time, scene.site);
+    scene.crossovers =
+        read_crossovers(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
+    scene.contrasts =
+        read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
+    scene.sensitivities = read_sensitivities(root, scene.terrain, scene.materials.names(),
+                                             scene.bands, scene.observers, scene.time);
+    scene.sweep = read_sweep(
+        root.section("sweep", "variants of the scene, which `diurna run` computes instead of it"));
+}
+
+/// Whether air and materials reach as far as the bands.
+void check_ranges(const Section& atmosphere, const Section& materials, const Scene& scene) {
+    const std::vector<SeenRange> seen = seen_ranges(scene);
+    check_table_bands(atmosphere, scene.air, seen);
+    for (const std::string& name : materials.free_keys()) {
+        check_index_reach(materials.section(name, material_says),
+                          scene.materials[scene.materials.find(name)], seen);
+    }
+}
+
+}  // namespace
+
 Scene read_scene(const Document& document) {
     const FilesRead opened;
     Scene scene;
@@ -177,93 +282,21 @@ Scene read_scene(const Document& document) {
     const Section materials = root.section(
         "material",
         "additional materials of the scene; one with a name of the library replaces that material");
-    read_materials(materials, scene, reading);
-    scene.textures = read_textures(root, reading);
-    for (const TextureInput& texture : scene.textures) {
-        reading.textures.known.push_back(texture.name);
-    }
-    for (const std::string& name : materials.free_keys()) {
-        reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
-                        name);
-    }
+    read_surfaces(root, materials, scene, reading);
     scene.time = read_time(root.required_section("time", "span, steps and pictures"), scene.site);
     scene.trajectories = read_trajectories(root, scene.time, reading.places);
     for (const TrajectoryInput& way : scene.trajectories) {
         reading.trajectories.known.push_back(way.name);
     }
     scene.terrain = read_terrain(terrain, root, reading, elevation);
-    const Section weather =
-        root.required_section("weather", "weather that drives the heat balance");
-    scene.weather = read_weather_input(weather, reading);
-    const Section sky = root.section("sky", sky_says);
-    scene.sky = read_sky(sky);
-    const Section atmosphere =
-        root.section("atmosphere", "the atmosphere between surface and observer");
-    scene.air = read_air(atmosphere);
-    take_haze(scene.air, sky, scene.sky);
-    for (const char* key : {"aerosol_380nm", "aerosol_500nm", "ozone_cm", "precipitable_water_cm",
-                            "sun", "linke_turbidity", "longwave"}) {
-        const bool idle = scene.air.drives_heat || scene.air.vacuum;
-        if (idle && sky.has(key)) scene.idle_sky_keys.emplace_back(key);
-    }
-    read_heights(weather, scene.air, scene.weather);
+    const Section atmosphere = read_sky_and_air(root, scene, reading);
     scene.output =
         read_output(root.section("output", "additional output besides temperatures and pictures"));
     scene.labels = read_labels(root.section("labels", "pictures and labels for machine learning"));
-    scene.bands = read_bands(root);
-    scene.cubes = read_cubes(root);
-    scene.plumes = read_plumes(root, reading.places);
-    scene.radiometers = read_radiometers(root, reading.places);
-    reading.object_names.erase("ground");  // it has no middle to look at
-    ObserverReading seen_by{
-        .places = reading.places,
-        .bands = scene.bands,
-        .cubes = scene.cubes,
-        .terrain = scene.terrain,
-        .trajectories = scene.trajectories,
-        .time = scene.time,
-        .site = scene.site,
-        .objects = {.what = "object",
-                    .known = {reading.object_names.begin(), reading.object_names.end()}}};
-    add_objects(seen_by.objects, scene.terrain);
-    for (const Section& observer : root.sections("observer", "a camera; at least one")) {
-        ObserverInput input = read_observer(observer, seen_by);
-        const auto same = std::find_if(
-            scene.observers.begin(), scene.observers.end(),
-            [&](const ObserverInput& other) { return picture_name(other) == picture_name(input); });
-        if (same != scene.observers.end() && !input.name.empty()) {
-            observer.mistake(
-                "name",
-                same->name == input.name
-                    ? fmt::format("the observer name \"{}\" is used twice", input.name)
-                    : fmt::format("the pictures of \"{}\" and \"{}\" would have the same names",
-                                  same->name, input.name));
-        }
-        scene.observers.push_back(std::move(input));
-    }
-    if (scene.observers.empty() && scene.radiometers.empty()) {
-        root.mistake("observer",
-                     "missing, expected at least one table [[observer]] or [[radiometer]]");
-    }
-    scene.instruments = read_instruments(root, scene.seed, scene.observers, scene.bands);
-    scene.signatures = read_signatures(root, scene.terrain, scene.bands, scene.time, scene.site);
-    scene.detections = read_detections(root, scene.terrain, scene.instruments, scene.bands,
-                                       scene.observers, scene.time, scene.site);
-    scene.crossovers =
-        read_crossovers(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
-    scene.contrasts =
-        read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
-    scene.sensitivities = read_sensitivities(root, scene.terrain, scene.materials.names(),
-                                             scene.bands, scene.observers, scene.time);
-    scene.sweep = read_sweep(
-        root.section("sweep", "variants of the scene, which `diurna run` computes instead of it"));
+    read_observers(root, scene, reading);
+    read_studies(root, scene);
     scene.texture_uses = std::move(reading.texture_uses);
-    const std::vector<SeenRange> seen = seen_ranges(scene);
-    check_table_bands(atmosphere, scene.air, seen);
-    for (const std::string& name : materials.free_keys()) {
-        check_index_reach(materials.section(name, material_says),
-                          scene.materials[scene.materials.find(name)], seen);
-    }
+    check_ranges(atmosphere, materials, scene);
     document.finish();
     scene.elevation = reading.places.elevation();
     scene.files = opened.files();

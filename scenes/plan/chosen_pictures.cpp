@@ -176,6 +176,14 @@ void keep_shard(const Scene& scene, const Shard& shard, std::vector<ObserverInpu
 
 }  // namespace
 
+std::vector<std::string> in_words(const PictureChoice& choice) {
+    std::vector<std::string> texts = choice.only;
+    if (!choice.shard.all()) {
+        texts.push_back(fmt::format("shard {}/{}", choice.shard.number, choice.shard.count));
+    }
+    return texts;
+}
+
 std::vector<ObserverInput> chosen_pictures(const Scene& scene, const PictureChoice& choice) {
     Named wanted = named(choice.only);
     std::vector<std::string> observers, bands;

@@ -20,6 +20,9 @@ struct PictureChoice {
     bool all() const { return only.empty() && shard.all(); }
 };
 
+/// As the command line says it: "band=8-12", "shard 2/4".
+std::vector<std::string> in_words(const PictureChoice& choice);
+
 /// The scene's observers, in its order, with their selected bands and frames; observers with none
 /// are left without either. Throws InputError (of --only) for names and hours that the scene does
 /// not have, if nothing is left, and if pictures would be separated from those that they depend on:

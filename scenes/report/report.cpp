@@ -70,17 +70,6 @@ std::string pictures(const fs::path& folder, const Prepared& prepared) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& solve) {
-    return {
-        {"heat balance",
-         fmt::format("{} steps, {} passes; periodic to {:.1e} K (estimated error {:.1e} K)",
-                     solve.steps, solve.passes, solve.periodic_residual, solve.estimated_error)},
-        {"worst energy closure", fmt::format("{:.1e} of the heat exchanged, worst facet and step",
-                                             solve.worst_energy_closure)},
-        {"Newton iterations", fmt::format("{:.2f} per stage, at most {}", solve.newton_iterations,
-                                          solve.worst_newton_iterations)}};
-}
-
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
                   const TemperatureField& field) {
     struct Chapter {

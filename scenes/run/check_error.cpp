@@ -28,7 +28,7 @@ std::vector<FacetId> about(const World& world, const CheckPoints& points) {
     const TextureLevels& levels = world.texture_levels;
     std::vector<std::uint8_t> touched(facets.vertex.size(), 0);
     for (const CheckPoint& point : points.point) {
-        const std::size_t f = levels.empty() ? point.surface : levels.origin[point.surface];
+        const std::size_t f = levels.solid_of(point.surface);
         for (const std::uint32_t v : facets.corner[f]) touched[v] = 1;
     }
     std::vector<FacetId> near;
@@ -56,7 +56,7 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
     const SunOverFacets sun{prepared.rays, surfaces, fraction, sun_direction(place)};
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
     for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
-        crossed.push_back(crossed[levels.origin[f]]);
+        crossed.push_back(crossed[levels.solid_of(f)]);
     }
     const std::vector<float> kelvins = kelvins_of_sun(
         surfaces, crossed, fraction, temperature,

@@ -42,7 +42,7 @@ std::vector<std::uint8_t> not_alone(const World& world, std::span<const NetworkO
     std::vector<std::uint8_t> carries(world.facets.size(), 0);
     const auto mark = [&](std::uint32_t f) {
         if (f == no_number) return;
-        carries[world.texture_levels.empty() ? f : world.texture_levels.origin[f]] = 1;
+        carries[world.texture_levels.solid_of(f)] = 1;
     };
     for (const NetworkObject& object : network) {
         std::for_each(object.facet.begin(), object.facet.end(), mark);

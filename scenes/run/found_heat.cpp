@@ -1,17 +1,12 @@
 #include "scenes/run/found_heat.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
 
-#include "scenes/cache/digest.hpp"
 #include "scenes/cache/stage_bytes.hpp"
 #include "scenes/cache/stage_keys.hpp"
-#include "scenes/report/report.hpp"
-#include "scenes/run/check_error.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/world/stepping.hpp"
 
@@ -39,38 +34,6 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     return some;
 }
 
-constexpr const char* pictures_key = "pictures";  // that points were drawn in
-constexpr const char* facets_row = "row facets' sizes and rays";
-
-Messages messages_of(const Scene& scene, const SpanResult& result) {
-    Messages messages{{"not converged", not_converged(result.report)}, {"start", result.start}};
-    for (const std::string& note : result.notes) {
-        messages.emplace_back("note", note);
-        if (!note.starts_with(check_begins)) continue;
-        messages.emplace_back(pictures_key, sha256(scene.said));
-        messages.emplace_back(facets_row, note.substr(std::string(check_begins).size() + 1));
-    }
-    for (const auto& [name, value] : heat_rows(result.report)) {
-        messages.emplace_back("row " + name, value);
-    }
-    return messages;
-}
-
-/// An error that was measured in other pictures is not reported of these.
-void drop_error_of_others(const Scene& scene, Messages& messages) {
-    const std::pair<std::string, std::string> these{pictures_key, sha256(scene.said)};
-    if (std::find(messages.begin(), messages.end(), these) != messages.end()) return;
-    const std::string instead =
-        "not measured in these pictures: temperatures are from the cache, checked in an earlier "
-        "run's pictures (--fresh solves and checks again)";
-    for (auto& [name, text] : messages) {
-        if (name == facets_row) text = instead;
-        if (name == "note" && text.starts_with(check_begins)) {
-            text = fmt::format("{} {}", check_begins, instead);
-        }
-    }
-}
-
 }  // namespace
 
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
@@ -85,28 +48,22 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
         if (auto field = at_instants(wanted, std::move(found.temperature))) {
             store->note_taken(stage);
-            drop_error_of_others(prepared.scene, found.reported);
+            HeatReport report = heat_report_of(found.reported);
+            drop_check_of_others(prepared.scene, report);
             return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},
                     .solved = false,
-                    .reported = std::move(found.reported)};
+                    .report = std::move(report)};
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{.result = solve_scene(stages, progress, decision), .reported = {}};
-    heat.reported = messages_of(prepared.scene, heat.result);
+    SceneHeat heat{.result = solve_scene(stages, progress, decision), .report = {}};
+    heat.report = heat_report(prepared.scene, heat.result);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
-        store->keep(stage, key, bytes_of(FoundHeat{heat.result.temperature, heat.reported}));
+        store->keep(stage, key,
+                    bytes_of(FoundHeat{heat.result.temperature, as_messages(heat.report)}));
     }
     return heat;
-}
-
-std::vector<std::string> reported_as(const std::string& name, const SceneHeat& heat) {
-    std::vector<std::string> texts;
-    for (const auto& [of, text] : heat.reported) {
-        if (of == name) texts.push_back(text);
-    }
-    return texts;
 }
 
 }  // namespace diurna

@@ -171,7 +171,7 @@ bool can_check(const Prepared& scene) {
 std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& world) {
     std::vector<std::uint8_t> asked(world.facets.size(), 0);
     for (const std::uint32_t f : needed.who.solved) {
-        asked[world.texture_levels.empty() ? f : world.texture_levels.origin[f]] = 1;
+        asked[world.texture_levels.solid_of(f)] = 1;
     }
     return asked;
 }

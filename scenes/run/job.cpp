@@ -7,7 +7,6 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/number_of.hpp"
-#include "scenes/cache/digest.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -20,6 +19,7 @@
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/manifest.hpp"
+#include "scenes/run/pictures_there.hpp"
 #include "scenes/run/radiometers.hpp"
 #include "scenes/run/run_folder.hpp"
 #include "scenes/warnings/scene_warnings.hpp"
@@ -29,81 +29,6 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// What the results depend on.
-std::vector<RunInput> inputs_of(const Prepared& prepared, const JobOptions& options) {
-    std::vector<RunInput> inputs = run_inputs(prepared.scene);
-    const fs::path& heat = options.temperatures;
-    if (!heat.empty() && !fs::is_regular_file(heat)) {
-        throw InputError(heat.string(), "no such file",
-                         "diurna solve SCENE --out FILE.nc computes it");
-    }
-    if (!heat.empty()) inputs.push_back({heat, "temperatures", sha256_of_file(heat)});
-    return inputs;
-}
-
-/// All that manifest.json says before anything is computed.
-Manifest manifest_of(const Prepared& prepared, const JobOptions& options) {
-    Manifest manifest{.inputs = inputs_of(prepared, options),
-                      .settings = options.settings,
-                      .frames = prepared.plan.frames,
-                      .site = prepared.world.site,
-                      .legend = legend_of(prepared),
-                      .weather = prepared.weather.note};
-    manifest.key = job_key(manifest.inputs, options.settings);
-    for (const Sequence& sequence : prepared.sequences) {
-        CameraCourse& course = manifest.cameras[sequence.at(0).name];
-        if (sequence.goes) course.frame = sequence.frame;
-        for (const Observer& pose : sequence.pose) {
-            course.facts.push_back(camera_facts(prepared.world, pose));
-        }
-    }
-    for (const Instant instant : prepared.plan.frames) {
-        manifest.facts.push_back(instant_facts(prepared, instant));
-    }
-    return manifest;
-}
-
-/// What of the pictures is chosen, as the command line says it.
-std::vector<std::string> said_of_job(const PictureChoice& choice) {
-    std::vector<std::string> texts = choice.only;
-    if (!choice.shard.all())
-        texts.push_back(fmt::format("shard {}/{}", choice.shard.number, choice.shard.count));
-    return texts;
-}
-
-/// The scene with those of the chosen pictures that are in the folder, for labels and report.
-struct PicturesThere {
-    Prepared scene;
-    std::size_t there, all;  // frames, those chosen
-};
-PicturesThere pictures_there(const Prepared& prepared, const std::vector<ObserverInput>& chosen,
-                             const Ledger& ledger) {
-    std::size_t there = 0, all = 0;
-    std::vector<ObserverInput> observers = prepared.scene.observers;
-    std::vector<Sequence> sequences = prepared.sequences;
-    for (std::size_t o = 0; o < chosen.size(); ++o) {
-        ObserverInput& observer = observers[o];
-        Sequence& sequence = sequences[o];
-        observer.bands = chosen[o].bands;
-        observer.cubes = chosen[o].cubes;
-        observer.instruments = chosen[o].instruments;
-        Sequence kept{.frame = {}, .pose = {}, .goes = sequence.goes};
-        for (std::size_t i = 0; i < sequence.frame.size(); ++i) {
-            const auto files =
-                frame_files(observer, sequence.frame[i], prepared.scene.labels.format);
-            if (files.empty() || !ledger.has(files)) continue;
-            kept.frame.push_back(sequence.frame[i]);
-            if (sequence.goes) kept.pose.push_back(sequence.pose[i]);
-        }
-        if (!sequence.goes) kept.pose = sequence.pose;
-        there += kept.frame.size();
-        all += sequence.frame.size();
-        observer.frames = kept.frame;
-        sequence = std::move(kept);
-    }
-    return {with_pictures(prepared, std::move(observers), std::move(sequences)), there, all};
-}
 
 /// Refuses results that would go where they are taken from.
 void refuse_own(const fs::path& out, const fs::path& from, const char* option) {
@@ -155,12 +80,10 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.plan.decisions.heat);
     progress.stage(StageId::write_temperatures);
     write_heat(prepared, manifest.inputs, heat.result, out / "temperatures.nc");
-    for (auto& reported : write_radiometers(stages, heat.result, out)) {
-        heat.reported.push_back(std::move(reported));
-    }
+    write_radiometers(stages, heat.result, out, heat.report);
     report.solve = heat.result.report;
     report.solved = heat.solved;
-    ledger.add(report.files, std::move(heat.reported));
+    ledger.add(report.files, as_messages(heat.report));
     return std::move(heat.result.temperature);
 }
 
@@ -201,31 +124,16 @@ std::string resumed(const fs::path& out, const std::string& earlier, const std::
 
 /// What was reported of the heat balance when it was solved, in this run or the one it is kept
 /// from.
-void tell_of_heat(const Messages& reported, JobReport& report) {
-    for (const auto& [name, text] : reported) {
-        if (name == "not converged") report.not_converged = text;
-        if (name == "start") report.start = text;
-        if (name == "note") report.notes.push_back(text);
-        if (name.starts_with("row ")) report.heat.emplace_back(name.substr(4), text);
-    }
+void report_heat(HeatReport heat, JobReport& report) {
+    report.not_converged = std::move(heat.not_converged);
+    report.start = std::move(heat.start);
+    report.notes.insert(report.notes.end(), heat.notes.begin(), heat.notes.end());
+    report.heat.insert(report.heat.end(), heat.rows.begin(), heat.rows.end());
 }
 
-}  // namespace
-
-JobReport run_job(Scene scene, const JobOptions& options) {
-    const fs::path& out = options.out;
-    check_run_folder(out, FolderKind::run);
-    Progress progress(options.progress);
-    progress.stage(StageId::terrain);
-    if (!options.temperatures.empty()) scene.output.fluxes = scene.output.state = false;
-    const Prepared prepared = prepare(std::move(scene));
-    const GreyFormat format = prepared.scene.labels.format;
-    const std::vector<std::string> pictures = frame_files(prepared.scene.observers, format);
-    const std::vector<ObserverInput> chosen = chosen_pictures(prepared.scene, options.pictures);
-    check_memory(prepared.plan, options.max_memory);
-    if (options.temperatures.empty()) check_start(prepared);
-    Manifest manifest = manifest_of(prepared, options);
-    check_no_input_in(out, manifest.inputs);
+/// The report before anything is computed.
+JobReport begun_report(const Prepared& prepared, const Manifest& manifest,
+                       const JobOptions& options) {
     JobReport report{.plan = prepared.plan,
                      .ground_check = prepared.world.ground_check,
                      .posts = prepared.world.posts,
@@ -236,77 +144,152 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         report.inputs.push_back({input.name, input.sha256});
     }
     report.warnings = as_lines(scene_warnings(prepared));
-    std::vector<std::string> expected = report.files;
-    for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
-    for (const std::filesystem::path& part : options.parts) refuse_own(out, part, "FOLDERS");
-    if (!options.from.empty()) refuse_own(out, options.from, "--from");
-    if (!options.parts.empty()) gather_parts(options.parts, out, manifest.key, expected);
-    const Stages stages(prepared, options.stages);
-    TemperatureField field;
-    if (!options.temperatures.empty()) {
-        field = given_field(stages, manifest, chosen, options.temperatures, report);
-    }
-    const std::string earlier = ledger_key(out);
-    const bool begun = options.resume && earlier == manifest.key;
-    const bool given = !options.from.empty() && !begun;
-    if (given) gather_parts({options.from}, out, manifest.key, report.files);
-    const FolderLock lock(out);
-    Ledger ledger(out, manifest.key, options.resume || given || !options.parts.empty());
-    begin_folder(expected, out, ledger, progress, report);
-    write_manifest(out, prepared.scene, manifest);
-    progress.stage(StageId::sky_view);
-    stages.at(0);
-
-    if (options.temperatures.empty()) {
-        field = ledger.has(report.files)
-                    ? load_temperature_field(out / "temperatures.nc")
-                    : write_found(stages, manifest, out, progress, ledger, report);
-    }
-    tell_of_heat(ledger.reported("temperatures.nc"), report);
-    manifest.not_converged = report.not_converged;
-    manifest.start = report.start;
-    if (std::string reported = taken_reported(stages.store()); !reported.empty()) {
-        report.remade.push_back(std::move(reported));
-    }
-
-    const FramesReport frames = render_frames(stages, chosen, field, out, progress, ledger);
-    report.frames_rendered = frames.rendered;
-    if (options.resume) {
-        std::size_t all = 0;
-        for (const ObserverInput& observer : chosen) all += observer.frames.size();
-        report.resumed =
-            resumed(out, earlier, manifest.key, !report.solved, all - frames.rendered, all);
-    }
-    for (const auto& notes : {frames.notes, frames.warnings}) {
-        report.notes.insert(report.notes.end(), notes.begin(), notes.end());
-    }
-    for (const std::string& file : pictures) {
-        if (ledger.has({file})) report.files.push_back(file);
-    }
-    std::optional<PicturesThere> some;
-    if (!options.pictures.all()) {
-        some.emplace(pictures_there(prepared, chosen, ledger));
-        manifest.only = said_of_job(options.pictures);
-        report.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})",
-                                            some->there, some->all,
-                                            fmt::join(manifest.only, ", ")));
-    }
-
-    const Prepared& shown = some ? some->scene : prepared;
-    progress.stage(StageId::labels);
-    for (std::string& file : label_frames(shown, out)) report.files.push_back(std::move(file));
-    progress.stage(StageId::report);
-    report.stages = progress.stages();
-    write_report(out, shown, report, field);
-    progress.finish();
-    report.files.emplace_back("report.html");
-    ledger.write();
-    report.files.emplace_back(ledger_file);
-    report.stages = progress.stages();
-    manifest.outputs = report.files;
-    manifest.stages = report.stages;
-    write_manifest(out, shown.scene, manifest);
     return report;
+}
+
+/// A run from its scene to its last file.
+class Job {
+ public:
+    Job(Scene scene, const JobOptions& options, Progress& progress)
+        : options_(options),
+          out_(options.out),
+          progress_(progress),
+          prepared_(prepare(std::move(scene))),
+          chosen_(chosen_pictures(prepared_.scene, options.pictures)),
+          stages_(prepared_, options.stages) {}
+
+    /// Everything that may be refused is checked before the folder is touched.
+    JobReport run() {
+        check();
+        manifest_ = manifest_of(prepared_, options_.temperatures, options_.settings);
+        check_no_input_in(out_, manifest_.inputs);
+        report_ = begun_report(prepared_, manifest_, options_);
+        take_parts();
+        TemperatureField given;
+        if (!options_.temperatures.empty()) {
+            given = given_field(stages_, manifest_, chosen_, options_.temperatures, report_);
+        }
+        const bool earlier = take_earlier();
+        const FolderLock lock(out_);
+        Ledger ledger(out_, manifest_.key, earlier);
+        begin_folder(expected_files(), out_, ledger, progress_, report_);
+        write_manifest(out_, prepared_.scene, manifest_);
+        const TemperatureField field = temperatures(std::move(given), ledger);
+        render(field, ledger);
+        finish(field, ledger);
+        return std::move(report_);
+    }
+
+ private:
+    void check() const {
+        check_memory(prepared_.plan, options_.max_memory);
+        if (options_.temperatures.empty()) check_start(prepared_);
+        for (const fs::path& part : options_.parts) refuse_own(out_, part, "FOLDERS");
+        if (!options_.from.empty()) refuse_own(out_, options_.from, "--from");
+    }
+    GreyFormat format() const { return prepared_.scene.labels.format; }
+    /// Of heat and the chosen pictures.
+    std::vector<std::string> expected_files() const {
+        std::vector<std::string> expected = heat_files(prepared_.scene, options_);
+        for (std::string& file : frame_files(chosen_, format())) {
+            expected.push_back(std::move(file));
+        }
+        return expected;
+    }
+    void take_parts() const {
+        if (options_.parts.empty()) return;
+        gather_parts(options_.parts, out_, manifest_.key, expected_files());
+    }
+    /// Takes heat from another run; whether the folder holds anything that is used again.
+    bool take_earlier() {
+        earlier_key_ = ledger_key(out_);
+        const bool begun = options_.resume && earlier_key_ == manifest_.key;
+        const bool given = !options_.from.empty() && !begun;
+        if (given) gather_parts({options_.from}, out_, manifest_.key, report_.files);
+        return options_.resume || given || !options_.parts.empty();
+    }
+
+    TemperatureField temperatures(TemperatureField given, Ledger& ledger) {
+        progress_.stage(StageId::sky_view);
+        stages_.at(0);
+        TemperatureField field =
+            !options_.temperatures.empty() ? std::move(given)
+            : ledger.has(report_.files)
+                ? load_temperature_field(out_ / "temperatures.nc")
+                : write_found(stages_, manifest_, out_, progress_, ledger, report_);
+        report_heat(heat_report_of(ledger.reported("temperatures.nc")), report_);
+        manifest_.not_converged = report_.not_converged;
+        manifest_.start = report_.start;
+        if (std::string taken = taken_reported(stages_.store()); !taken.empty()) {
+            report_.remade.push_back(std::move(taken));
+        }
+        return field;
+    }
+
+    void render(const TemperatureField& field, Ledger& ledger) {
+        const FramesReport frames = render_frames(stages_, chosen_, field, out_, progress_, ledger);
+        report_.frames_rendered = frames.rendered;
+        if (options_.resume) {
+            std::size_t all = 0;
+            for (const ObserverInput& observer : chosen_) all += observer.frames.size();
+            report_.resumed = resumed(out_, earlier_key_, manifest_.key, !report_.solved,
+                                      all - frames.rendered, all);
+        }
+        for (const auto& notes : {frames.notes, frames.warnings}) {
+            report_.notes.insert(report_.notes.end(), notes.begin(), notes.end());
+        }
+        for (const std::string& file : frame_files(prepared_.scene.observers, format())) {
+            if (ledger.has({file})) report_.files.push_back(file);
+        }
+    }
+
+    /// Labels and report of the pictures that are in the folder, and the manifest of all.
+    void finish(const TemperatureField& field, Ledger& ledger) {
+        std::optional<PicturesThere> some;
+        if (!options_.pictures.all()) {
+            some.emplace(pictures_there(prepared_, chosen_, ledger));
+            manifest_.only = in_words(options_.pictures);
+            report_.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})",
+                                                 some->there, some->all,
+                                                 fmt::join(manifest_.only, ", ")));
+        }
+        const Prepared& shown = some ? some->scene : prepared_;
+        progress_.stage(StageId::labels);
+        for (std::string& file : label_frames(shown, out_)) {
+            report_.files.push_back(std::move(file));
+        }
+        progress_.stage(StageId::report);
+        report_.stages = progress_.stages();
+        write_report(out_, shown, report_, field);
+        progress_.finish();
+        report_.files.emplace_back("report.html");
+        ledger.write();
+        report_.files.emplace_back(ledger_file);
+        report_.stages = progress_.stages();
+        manifest_.outputs = report_.files;
+        manifest_.stages = report_.stages;
+        write_manifest(out_, shown.scene, manifest_);
+    }
+
+    const JobOptions& options_;
+    const fs::path& out_;
+    Progress& progress_;
+    const Prepared prepared_;
+    const std::vector<ObserverInput> chosen_;
+    const Stages stages_;
+    Manifest manifest_{};
+    JobReport report_{};
+    std::string earlier_key_{};  // of the run that the folder held; "": none
+};
+
+}  // namespace
+
+JobReport run_job(Scene scene, const JobOptions& options) {
+    check_run_folder(options.out, FolderKind::run);
+    Progress progress(options.progress);
+    progress.stage(StageId::terrain);
+    if (!options.temperatures.empty()) scene.output.fluxes = scene.output.state = false;
+    return Job(std::move(scene), options, progress).run();
 }
 
 }  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/made_by.hpp"
 #include "materials/base/parallel.hpp"
@@ -46,7 +47,40 @@ nlohmann::ordered_json course_json(const CameraCourse& course) {
     return json;
 }
 
+/// What the results depend on.
+std::vector<RunInput> inputs_of(const Prepared& prepared, const fs::path& heat) {
+    std::vector<RunInput> inputs = run_inputs(prepared.scene);
+    if (!heat.empty() && !fs::is_regular_file(heat)) {
+        throw InputError(heat.string(), "no such file",
+                         "diurna solve SCENE --out FILE.nc computes it");
+    }
+    if (!heat.empty()) inputs.push_back({heat, "temperatures", sha256_of_file(heat)});
+    return inputs;
+}
+
 }  // namespace
+
+Manifest manifest_of(const Prepared& prepared, const fs::path& heat,
+                     const std::vector<std::string>& settings) {
+    Manifest manifest{.inputs = inputs_of(prepared, heat),
+                      .settings = settings,
+                      .frames = prepared.plan.frames,
+                      .site = prepared.world.site,
+                      .legend = legend_of(prepared),
+                      .weather = prepared.weather.note};
+    manifest.key = job_key(manifest.inputs, settings);
+    for (const Sequence& sequence : prepared.sequences) {
+        CameraCourse& course = manifest.cameras[sequence.at(0).name];
+        if (sequence.goes) course.frame = sequence.frame;
+        for (const Observer& pose : sequence.pose) {
+            course.facts.push_back(camera_facts(prepared.world, pose));
+        }
+    }
+    for (const Instant instant : prepared.plan.frames) {
+        manifest.facts.push_back(instant_facts(prepared, instant));
+    }
+    return manifest;
+}
 
 void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& manifest) {
     nlohmann::ordered_json json;

@@ -7,6 +7,7 @@
 
 #include "scenes/cache/inputs.hpp"
 #include "scenes/input/scene.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/camera_truth.hpp"
 #include "scenes/run/legend.hpp"
@@ -38,6 +39,14 @@ struct Manifest {
     std::vector<std::string> outputs{};  // files of the folder; empty: running
     std::vector<Progress::Stage> stages{};
 };
+
+/// What is known before anything is computed. Throws InputError if the file of temperatures does
+/// not exist.
+///
+/// - heat: temperatures from a file; "": they are computed
+/// - settings: of the command line
+Manifest manifest_of(const Prepared& prepared, const std::filesystem::path& heat,
+                     const std::vector<std::string>& settings);
 
 /// Writes manifest.json: key, inputs and outputs with SHA-256, versions, seed, settings, timings.
 /// Written without outputs when a job begins, so that a killed run can be resumed, and again when

@@ -153,70 +153,94 @@ void add_coupled(const Coupled& coupled, const std::vector<float>& worth, double
     solved = with(most);
 }
 
-}  // namespace
+/// What is solved for pictures before thermal coupling counts: what they show, and all that stands
+/// up.
+struct Marked {
+    std::vector<std::uint8_t> solved, stands;  // (facet)
+    std::size_t seen = 0;
 
-NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> network,
-                           double tolerance) {
-    const World& world = stages.scene().world;
-    const FacetViews& views = stages.at(0).views;  // kinds are distinguished by
-    const FacetSet& facets = world.surfaces();
-    const std::vector<float> share = picture_shares(stages);
-    NeededFacets needed;
-    std::vector<std::uint8_t> solved = seen_or_beside(world, share);
-    needed.seen = std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
-    const TextureLevels& levels = world.texture_levels;
-    std::vector<std::uint8_t> stands(facets.size(), 0);
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-        const std::size_t solid = levels.empty() ? f : levels.origin[f];
-        if (solid >= world.ground_facets) stands[f] = solved[f] = 1;
+    std::size_t count() const {
+        return std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
+    }
+};
+
+Marked marked_facets(const World& world, std::span<const NetworkObject> network,
+                     const std::vector<float>& share) {
+    Marked marked{.solved = seen_or_beside(world, share), .stands = {}};
+    marked.seen = marked.count();
+    marked.stands.assign(world.surfaces().size(), 0);
+    for (std::size_t f = 0; f < marked.stands.size(); ++f) {
+        if (world.texture_levels.solid_of(f) >= world.ground_facets) {
+            marked.stands[f] = marked.solved[f] = 1;
+        }
     }
     for (const NetworkObject& object : network) {
-        for (const std::uint32_t f : object.facet) solved[f] = 1;
+        for (const std::uint32_t f : object.facet) marked.solved[f] = 1;
         for (const std::uint32_t f : object.back) {
-            if (f != no_number) solved[f] = 1;
+            if (f != no_number) marked.solved[f] = 1;
         }
     }
-    Coupled coupled{
-        .views = {}, .share = {}, .deviation = std::vector<float>(facets.size(), open_ground)};
+    return marked;
+}
+
+/// Who feels whose heat in these pictures, and what each facet is worth there: [K] that the
+/// pictures change if another of its kind takes its place.
+struct Worth {
+    Coupled coupled;
+    std::vector<float> of;  // (facet)
+};
+
+Worth worth_of(const Stages& stages, std::span<const NetworkObject> network, const Marked& marked,
+               const std::vector<float>& share) {
+    const FacetSet& facets = stages.scene().world.surfaces();
+    Worth worth{.coupled = {.views = {},
+                            .share = {},
+                            .deviation = std::vector<float>(facets.size(), open_ground)},
+                .of = std::vector<float>(facets.size(), 0.0f)};
+    Coupled& coupled = worth.coupled;
     for (std::size_t s = 0; s < stages.size(); ++s) coupled.views.push_back(&stages.at(s).views);
-    coupled.share = decided_by(facets, coupled.views, network, stands, share);
+    coupled.share = decided_by(facets, coupled.views, network, marked.stands, share);
     for (const FacetViews* seen : coupled.views) {
         for (std::size_t f = 0; f < facets.size(); ++f) {
-            if (near_structures(*seen, stands, f)) {
-                coupled.deviation[f] = in_shadows;
-            }
+            if (near_structures(*seen, marked.stands, f)) coupled.deviation[f] = in_shadows;
         }
     }
-    std::vector<float> worth(facets.size(), 0.0f);
     for (const FacetViews* seen : coupled.views) {
         each_coupled(*seen, coupled.share, [&](std::size_t f, std::size_t g, float factor) {
-            worth[g] += coupled.share[f] * factor * coupled.deviation[g];
+            worth.of[g] += coupled.share[f] * factor * coupled.deviation[g];
         });
     }
-    const auto count = [&] {
-        return std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
-    };
-    const std::size_t before = count();
-    add_coupled(coupled, worth, share_of_tolerance * tolerance, solved);
-    needed.coupled = count() - before;
-    needed.weight = weight_of(coupled, solved, false);
+    return worth;
+}
 
-    // One of each kind: that which is felt most.
+/// Of the facets that are not solved, one of each kind is: that which is worth most.
+///
+/// Returns (facet) its representative.
+std::vector<std::uint32_t> choose_kinds(const FacetSet& facets, const FacetViews& views,
+                                        const std::vector<float>& worth,
+                                        std::vector<std::uint8_t>& solved, NeededFacets& needed) {
     std::map<GroundKind, std::uint32_t> kinds;
-    std::vector<std::uint32_t> stand_in(facets.size());
-    std::vector<std::uint32_t> others;
+    std::vector<std::uint32_t> representative(facets.size());
+    std::iota(representative.begin(), representative.end(), 0u);
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
-        stand_in[f] = f;
         if (solved[f]) continue;
-        others.push_back(f);
         const auto [kind, fresh] = kinds.try_emplace(need_kind(facets, views, f), f);
         if (!fresh && worth[f] > worth[kind->second]) kind->second = f;
     }
     needed.kinds = kinds.size();
-    for (const std::uint32_t f : others) stand_in[f] = kinds.at(need_kind(facets, views, f));
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        if (!solved[f]) representative[f] = kinds.at(need_kind(facets, views, f));
+    }
     for (const auto& [kind, f] : kinds) solved[f] = 1;
+    return representative;
+}
 
-    // Probes: evenly along the sum of what is felt of each, and a little of all.
+/// Probes: evenly along the sum of what the others are worth, and a little of all.
+///
+/// - others: facets that have a representative or are one
+void draw_probes(const std::vector<std::uint32_t>& others, const std::vector<float>& worth,
+                 std::vector<std::uint32_t>& representative, std::vector<std::uint8_t>& solved,
+                 NeededFacets& needed) {
     double sum = 0.0;
     for (const std::uint32_t f : others) sum += double{worth[f]};
     const double little = 0.1 * sum / double(std::max<std::size_t>(1, others.size())) + 1e-30;
@@ -227,23 +251,51 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
         along -= double{worth[f]} + little;
         if (along > 0.0) continue;
         while (along <= 0.0) along += step;
-        if (solved[f]) continue;
-        needed.probe.push_back({f, stand_in[f]});
+        if (!solved[f]) needed.probe.push_back({f, representative[f]});
     }
     for (const NeededFacets::Probe& probe : needed.probe) {
         solved[probe.facet] = 1;
-        stand_in[probe.facet] = probe.facet;
+        representative[probe.facet] = probe.facet;
     }
+}
 
-    Representatives& who = needed.who;
-    std::vector<std::uint32_t> place(facets.size(), 0);
-    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+Representatives numbered(const std::vector<std::uint8_t>& solved,
+                         const std::vector<std::uint32_t>& representative) {
+    Representatives who;
+    std::vector<std::uint32_t> place(solved.size(), 0);
+    for (std::uint32_t f = 0; f < solved.size(); ++f) {
         if (!solved[f]) continue;
         place[f] = static_cast<std::uint32_t>(who.solved.size());
         who.solved.push_back(f);
     }
-    who.place.resize(facets.size());
-    for (std::size_t f = 0; f < facets.size(); ++f) who.place[f] = place[stand_in[f]];
+    who.place.resize(solved.size());
+    for (std::size_t f = 0; f < solved.size(); ++f) who.place[f] = place[representative[f]];
+    return who;
+}
+
+}  // namespace
+
+NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> network,
+                           double tolerance) {
+    const World& world = stages.scene().world;
+    const std::vector<float> share = picture_shares(stages);
+    Marked marked = marked_facets(world, network, share);
+    const Worth worth = worth_of(stages, network, marked, share);
+    NeededFacets needed;
+    needed.seen = marked.seen;
+    const std::size_t before = marked.count();
+    std::vector<std::uint8_t>& solved = marked.solved;
+    add_coupled(worth.coupled, worth.of, share_of_tolerance * tolerance, solved);
+    needed.coupled = marked.count() - before;
+    needed.weight = weight_of(worth.coupled, solved, false);
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t f = 0; f < solved.size(); ++f) {
+        if (!solved[f]) others.push_back(f);
+    }
+    std::vector<std::uint32_t> representative =
+        choose_kinds(world.surfaces(), stages.at(0).views, worth.of, solved, needed);
+    draw_probes(others, worth.of, representative, solved, needed);
+    needed.who = numbered(solved, representative);
     return needed;
 }
 

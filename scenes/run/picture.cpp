@@ -65,8 +65,8 @@ void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
         Plane plane = frame[fmt::format("facet_{}", k)];
         plane.name = fmt::format("place_{}", k);
         for (float& facet : plane.pixel) {
-            if (facet < 0.0f || levels.empty()) continue;
-            facet = static_cast<float>(levels.origin[static_cast<std::size_t>(facet)]);
+            if (facet < 0.0f) continue;
+            facet = static_cast<float>(levels.solid_of(static_cast<std::size_t>(facet)));
         }
         frame.planes.push_back(std::move(plane));
     }

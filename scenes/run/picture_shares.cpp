@@ -67,17 +67,14 @@ std::vector<float> picture_shares(const Stages& stages, int most_poses) {
 std::vector<std::uint8_t> seen_or_beside(const World& world, const std::vector<float>& share) {
     const FacetSet& solid = world.facets;
     const TextureLevels& levels = world.texture_levels;
-    const auto in_place_of = [&](std::size_t f) {
-        return levels.empty() ? f : std::size_t{levels.origin[f]};
-    };
     std::vector<std::uint8_t> corner_seen(solid.vertex.size(), 0);
     for (std::size_t f = 0; f < share.size(); ++f) {
         if (!(share[f] > 0.0f)) continue;
-        for (const std::uint32_t v : solid.corner[in_place_of(f)]) corner_seen[v] = 1;
+        for (const std::uint32_t v : solid.corner[levels.solid_of(f)]) corner_seen[v] = 1;
     }
     std::vector<std::uint8_t> near(share.size(), 0);
     for (std::size_t f = 0; f < share.size(); ++f) {
-        const auto& corner = solid.corner[in_place_of(f)];
+        const auto& corner = solid.corner[levels.solid_of(f)];
         near[f] = std::any_of(corner.begin(), corner.end(),
                               [&](std::uint32_t v) { return corner_seen[v] != 0; });
     }

@@ -255,14 +255,14 @@ std::vector<std::string> radiometer_files(const Scene& scene) {
     return files;
 }
 
-Messages write_radiometers(const Stages& stages, const SpanResult& result,
-                           const std::filesystem::path& folder) {
+void write_radiometers(const Stages& stages, const SpanResult& result,
+                       const std::filesystem::path& folder, HeatReport& report) {
     const Prepared& prepared = stages.scene();
     std::vector<Readings> all;
     for (const PlacedRadiometer& radiometer : prepared.radiometers) {
         all.push_back(begin_readings(radiometer, prepared.world));
     }
-    if (all.empty()) return {};
+    if (all.empty()) return;
     const MeasuredAlbedo measured =
         measured_albedo(prepared.scene, prepared.world, prepared.weather);
     const std::vector<float> beyond = ground_beyond(prepared.world);
@@ -287,17 +287,15 @@ Messages write_radiometers(const Stages& stages, const SpanResult& result,
                     sky_over.at(when, readings.height), leaving, time);
         }
     }
-    Messages reported;
     const std::vector<std::string> files = radiometer_files(prepared.scene);
     for (std::size_t i = 0; i < all.size(); ++i) {
         write_whole_file(folder / files[i], std::string_view(all[i].csv.data(), all[i].csv.size()));
-        reported.emplace_back("row radiometer " + all[i].radiometer.input.name,
-                              fmt::format("{}; {}", ranges(all[i]), files[i]));
+        report.rows.emplace_back("radiometer " + all[i].radiometer.input.name,
+                                 fmt::format("{}; {}", ranges(all[i]), files[i]));
         if (std::string note = view_note(all[i]); !note.empty()) {
-            reported.emplace_back("note", std::move(note));
+            report.notes.push_back(std::move(note));
         }
     }
-    return reported;
 }
 
 }  // namespace diurna

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/cache/messages.hpp"
+#include "scenes/run/heat_report.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
@@ -19,9 +19,9 @@ std::vector<std::string> radiometer_files(const Scene& scene);
 ///
 /// - result: of the scene, with heat balances at every step
 ///
-/// Returns "row radiometer NAME" with the ranges of its irradiance, for the report, and a "note"
-/// for each radiometer whose view includes much that is not modelled.
-Messages write_radiometers(const Stages& stages, const SpanResult& result,
-                           const std::filesystem::path& folder);
+/// - report: gets a row for each radiometer with the ranges of its irradiance, and a note for each
+///   one whose view includes much that is not modelled
+void write_radiometers(const Stages& stages, const SpanResult& result,
+                       const std::filesystem::path& folder, HeatReport& report);
 
 }  // namespace diurna

@@ -31,7 +31,7 @@ void without_textures(const TextureLevels& levels, std::vector<Appearance>& look
     if (levels.empty()) return;
     for (Appearance& look : looks) {
         for (std::size_t f = levels.solid; f < look.facet.size(); ++f) {
-            look.facet[f] = look.facet[levels.origin[f]];
+            look.facet[f] = look.facet[levels.solid_of(f)];
         }
     }
 }

@@ -31,7 +31,7 @@ std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& 
         std::vector<std::uint32_t> chosen;
         for (const FacetId facet : wanted) {
             const auto f = static_cast<std::uint32_t>(facet);
-            chosen.push_back(levels.empty() ? f : levels.origin[f]);
+            chosen.push_back(levels.solid_of(f));
         }
         std::sort(chosen.begin(), chosen.end());
         chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());

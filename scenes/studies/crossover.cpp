@@ -166,87 +166,131 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
     }
 }
 
-CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
-                              const SceneWith& scene_with) {
-    const std::vector<CrossoverInput>& inputs = study.scene().crossovers;
-    CrossoverAnswer answer{.report = std::vector<CrossoverReport>(inputs.size()), .notes = {}};
-    std::vector<CrossoverReport>& reports = answer.report;
-    const std::vector<CrossoverGroup> all = groups(inputs);
-    Progress& progress = study.progress();
-    progress.stage(StageId::named, "contrast");
-    for (const CrossoverGroup& group : all) {
-        const SeenRegions regions = seen(study.stages(), group, field, 1);
-        const std::vector<Instant>& instant = field.instant;
-        for_each_index(
-            instant.size(), [&](std::size_t i) { regions.apparent(instant[i]); }, 1);
-        for (std::size_t pair = 0; pair < group.of.size(); ++pair) {
-            const std::size_t i = group.of[pair];
-            reports[i].first_pixels = regions.pixels(2 * pair);
-            reports[i].second_pixels = regions.pixels(2 * pair + 1);
-            for (std::size_t b = 0; b < group.bands.size(); ++b) {
-                reports[i].band.push_back(day_of(regions, inputs[i], pair, b, instant));
+namespace {
+
+/// All crossovers of a study, first as the scene is, then with other numbers.
+class Crossovers {
+ public:
+    Crossovers(Study& study, const SceneWith& scene_with)
+        : study_(study),
+          scene_with_(scene_with),
+          inputs_(study.scene().crossovers),
+          groups_(groups(inputs_)),
+          answer_{.report = std::vector<CrossoverReport>(inputs_.size()), .notes = {}} {}
+
+    /// Contrasts and crossings of the scene as it is.
+    void find(const TemperatureField& field) {
+        study_.progress().stage(StageId::named, "contrast");
+        for (const CrossoverGroup& group : groups_) {
+            const SeenRegions regions = seen(study_.stages(), group, field, 1);
+            const std::vector<Instant>& instant = field.instant;
+            for_each_index(
+                instant.size(), [&](std::size_t i) { regions.apparent(instant[i]); }, 1);
+            for (std::size_t pair = 0; pair < group.of.size(); ++pair) {
+                CrossoverReport& report = answer_.report[group.of[pair]];
+                report.first_pixels = regions.pixels(2 * pair);
+                report.second_pixels = regions.pixels(2 * pair + 1);
+                for (std::size_t b = 0; b < group.bands.size(); ++b) {
+                    report.band.push_back(
+                        day_of(regions, inputs_[group.of[pair]], pair, b, instant));
+                }
             }
         }
     }
-    const auto in_other = [&](const std::vector<std::string>& settings, int more_samples,
-                              const auto& concerns, const auto& reported) {
-        const OtherScene other(scene_with(settings), study);
-        if (!other.not_converged.empty()) {
-            answer.notes.push_back(
-                fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
-        }
-        progress.stage(StageId::named, "crossings");
-        for (const CrossoverGroup& group : all) {
-            if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
-            follow(seen(other.stages, group, other.field, more_samples), group, inputs, reports,
-                   reported);
-        }
-    };
-    const auto refined = [&](std::size_t i) { return inputs[i].refined; };
-    bool any = false;
-    for (std::size_t i = 0; i < inputs.size(); ++i) any |= refined(i);
-    if (any) {
-        in_other({fmt::format("time.step_s={:g}", 0.5 * study.scene().time.step)}, 2, refined,
+
+    /// Shifts by half the step and more samples, of those that ask for it.
+    void refine() {
+        const auto refined = [&](std::size_t i) { return inputs_[i].refined; };
+        bool any = false;
+        for (std::size_t i = 0; i < inputs_.size(); ++i) any |= refined(i);
+        if (!any) return;
+        in_other({fmt::format("time.step_s={:g}", 0.5 * study_.scene().time.step)}, 2, refined,
                  [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
                      if (refined(i)) crossing.refined = shift;
                  });
     }
-    // A scene for each number, whichever crossovers it concerns.
-    std::map<std::pair<std::string, double>, std::vector<std::size_t>> numbers;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        for (const UncertainInput& one : inputs[i].uncertain) {
-            numbers[{one.key, one.one_sigma}].push_back(i);
+
+    /// A scene for each uncertain number, whichever crossovers it concerns.
+    void vary() {
+        std::map<std::pair<std::string, double>, std::vector<std::size_t>> numbers;
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            const std::vector<UncertainInput>& uncertain = inputs_[i].uncertain;
+            for (const UncertainInput& one : uncertain)
+                numbers[{one.key, one.one_sigma}].push_back(i);
+            for (CrossoverDay& day : answer_.report[i].band) {
+                for (TimedCrossing& one : day.crossing) one.shift.resize(uncertain.size());
+            }
         }
-        for (CrossoverDay& day : reports[i].band) {
-            for (TimedCrossing& one : day.crossing) one.shift.resize(inputs[i].uncertain.size());
-        }
+        for (const auto& [number, of] : numbers) vary_number(number.first, number.second, of);
     }
-    for (const auto& [number, of] : numbers) {
-        const auto concerns = [&of = of](std::size_t i) {
+
+    /// Times rounded to a second.
+    CrossoverAnswer finish() {
+        for (CrossoverReport& report : answer_.report) {
+            for (CrossoverDay& day : report.band) {
+                for (TimedCrossing& one : day.crossing) {
+                    const Instant start = day.instant.front();
+                    one.when = later(start, std::round(seconds_between(start, one.when) +
+                                                       one.refined.value_or(0.0)));
+                }
+            }
+        }
+        return std::move(answer_);
+    }
+
+ private:
+    void vary_number(const std::string& key, double one_sigma, const std::vector<std::size_t>& of) {
+        const auto concerns = [&](std::size_t i) {
             return std::find(of.begin(), of.end(), i) != of.end();
         };
-        in_other({setting(number.first, number.second)}, 1, concerns,
-                 [&, &number = number](TimedCrossing& crossing, std::size_t i,
-                                       std::optional<double> shift) {
-                     for (std::size_t u = 0; u < inputs[i].uncertain.size(); ++u) {
-                         const UncertainInput& one = inputs[i].uncertain[u];
-                         if (one.key != number.first || one.one_sigma != number.second) continue;
+        in_other({setting(key, one_sigma)}, 1, concerns,
+                 [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
+                     for (std::size_t u = 0; u < inputs_[i].uncertain.size(); ++u) {
+                         const UncertainInput& one = inputs_[i].uncertain[u];
+                         if (one.key != key || one.one_sigma != one_sigma) continue;
                          crossing.shift[u] = shift;
                          // (T49) of docs/theory.md
                          crossing.sigma = std::hypot(crossing.sigma, shift.value_or(0.0));
                      }
                  });
     }
-    for (CrossoverReport& report : reports) {
-        for (CrossoverDay& day : report.band) {
-            for (TimedCrossing& one : day.crossing) {
-                const Instant start = day.instant.front();
-                one.when = later(start, std::round(seconds_between(start, one.when) +
-                                                   one.refined.value_or(0.0)));
-            }
+
+    /// Crossings in the scene with other settings.
+    ///
+    /// - concerns(i): whether the i-th crossover is affected
+    /// - reported(crossing, i, shift): takes each crossing's shift
+    template <class Concerns, class Reported>
+    void in_other(const std::vector<std::string>& settings, int more_samples,
+                  const Concerns& concerns, const Reported& reported) {
+        const OtherScene other(scene_with_(settings), study_);
+        if (!other.not_converged.empty()) {
+            answer_.notes.push_back(
+                fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
+        }
+        study_.progress().stage(StageId::named, "crossings");
+        for (const CrossoverGroup& group : groups_) {
+            if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
+            follow(seen(other.stages, group, other.field, more_samples), group, inputs_,
+                   answer_.report, reported);
         }
     }
-    return answer;
+
+    Study& study_;
+    const SceneWith& scene_with_;
+    const std::vector<CrossoverInput>& inputs_;
+    const std::vector<CrossoverGroup> groups_;
+    CrossoverAnswer answer_;
+};
+
+}  // namespace
+
+CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
+                              const SceneWith& scene_with) {
+    Crossovers crossovers(study, scene_with);
+    crossovers.find(field);
+    crossovers.refine();
+    crossovers.vary();
+    return crossovers.finish();
 }
 
 }  // namespace diurna

@@ -20,6 +20,7 @@
 #include "scenes/plan/shard.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/heat_report.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/listed_outputs.hpp"
 #include "scenes/run/radiometers.hpp"
@@ -99,11 +100,10 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
         SpanResult result = solve_scene(stages, progress);
         progress.stage(StageId::write_temperatures);
         write_heat(stages.scene(), run_inputs(stages.scene().scene), result, file);
-        for (auto& [name, text] : write_radiometers(stages, result, folder)) {
-            if (name == "note") result.notes.push_back(std::move(text));
-        }
-        record = {group.key, sha256_of_file(file), result.start, not_converged(result.report),
-                  result.notes};
+        HeatReport reported = heat_report(stages.scene().scene, result);
+        write_radiometers(stages, result, folder, reported);
+        record = {group.key, sha256_of_file(file), reported.start, reported.not_converged,
+                  reported.notes};
         write_heat_record(folder, record);
         ++report.solved;
         field = std::move(result.temperature);

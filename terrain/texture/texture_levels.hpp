@@ -43,6 +43,10 @@ struct TextureLevels {
     std::vector<float> share;           // (facet) of the place
 
     bool empty() const { return of_facet.empty(); }  // no textures: nothing else is set
+    /// The solid facet, as rays know it, at the place of one of all facets.
+    std::uint32_t solid_of(std::size_t facet) const {
+        return empty() ? static_cast<std::uint32_t>(facet) : origin[facet];
+    }
     /// spacing  [m] to the next place requested
     Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;
 

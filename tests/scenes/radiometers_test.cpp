@@ -89,7 +89,9 @@ Measured measured(double albedo, double emissivity) {
     const Stages stages(prepared);
     Progress silent(ProgressStyle::silent);
     SpanResult heat = solve_scene(stages, silent);
-    CHECK(write_radiometers(stages, heat, folder.path).size() == 3);  // a row each
+    HeatReport report;
+    write_radiometers(stages, heat, folder.path, report);
+    CHECK(report.rows.size() == 3);  // a row each
     std::map<std::string, std::string> csv;
     for (const char* const name : {"below", "open", "leaning"}) {
         csv[name] = read_text(folder.path / fmt::format("radiometer_{}.csv", name));

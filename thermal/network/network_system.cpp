@@ -341,82 +341,84 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
     for (std::size_t k = 0; k < network_.lump.size(); ++k) {
         b[lumps + k] = network_.lump[k].fixed ? 0.0 : residual.lump[k];
     }
-    // Upward through each column: what its outer and inner end would do alone.
-    std::vector<double>& node = residual.node;
     given_.of_facets([&](std::size_t block, std::size_t begin, std::size_t last) {
-        for (std::size_t f = begin; f < last; ++f) {
-            const std::size_t at = first_[f], n = first_[f + 1] - at;
-            for (std::size_t j = n - 1; j > 0; --j) {
-                node[at + j - 1] += follows_[at + j] * node[at + j];
-            }
-            const NetworkFacet& facet = network_.facet[f];
-            const Condensed& c = facet_[f];
-            double before = node[at] / pivot_[at];
-            const double outer = before;
-            for (std::size_t j = 1; j < n; ++j) {
-                before = node[at + j] / pivot_[at + j] + follows_[at + j] * before;
-            }
-            const double ends[2]{outer, before};
-            const auto sums = Sideways{facet.sideways}.sums();
-            for (int end = 0; end < 2; ++end) {
-                for (int s = 0; s < 3; ++s) {
-                    given_.to_edge(f, end, s) = c.spread[end] * sums[s] * ends[end];
-                }
-            }
-            for (std::size_t k = 0; k < behinds; ++k) {
-                if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
-                given_.to_lump(block, facet.lump[k]) += c.to[k] * ends[1];
-            }
-            const auto touches = touches_of(f);
-            for (std::size_t t = 0; t < touches.size(); ++t) {
-                given_.to_touched(touch_[f] + t) = touches[t].conductance * ends[0];
-            }
-        }
+        for (std::size_t f = begin; f < last; ++f) eliminate_column(block, f, residual.node);
     });
     given_.add_to(b.data(), b.data() + lumps);
     const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
                                                    : stabilised(b, x, relative_error);
     constexpr int outworn = 10;
     if (iterations > outworn) factored_tau_ = 0.0;
-    const auto follow = [&](std::size_t f) {
-        const std::size_t at = first_[f], n = first_[f + 1] - at;
-        const NetworkFacet& facet = network_.facet[f];
-        const Condensed& c = facet_[f];
-        const auto sums = Sideways{facet.sideways}.sums();
-        double into[2]{};
-        for (int end = 0; end < 2; ++end) {
-            if (c.spread[end] == 0.0) continue;
-            for (int s = 0; s < 3; ++s) {
-                into[end] += c.spread[end] * sums[s] * x[facet.edge[end][s]];
-            }
-        }
-        const auto lump = [&](std::uint32_t k) {
-            return network_.lump[k].fixed ? 0.0 : x[lumps + k];
-        };
-        for (std::size_t k = 0; k < behinds; ++k) {
-            if (c.to[k] != 0.0) into[1] += c.to[k] * lump(facet.lump[k]);
-        }
-        for (const HeatTouch& touch : touches_of(f)) into[0] += touch.conductance * x[touch.edge];
-        double up = into[1];
-        node[at + n - 1] += up;
-        for (std::size_t j = n - 1; j > 0; --j) {
-            up *= follows_[at + j];
-            node[at + j - 1] += up;
-        }
-        node[at] += into[0];
-        double before = 0.0;
-        for (std::size_t j = 0; j < n; ++j) {
-            node[at + j] =
-                node[at + j] / pivot_[at + j] + (j > 0 ? follows_[at + j] * before : 0.0);
-            before = node[at + j];
-        }
-    };
-    for_each_index(facet_.size(), follow, 512);
+    for_each_index(
+        facet_.size(), [&](std::size_t f) { follow_column(f, x, residual.node); }, 512);
     std::copy(x.begin(), x.begin() + std::ptrdiff_t(lumps), residual.edge.begin());
     for (std::size_t k = 0; k < network_.lump.size(); ++k) {
         residual.lump[k] = network_.lump[k].fixed ? 0.0 : x[lumps + k];
     }
     return iterations;
+}
+
+void NetworkSystem::eliminate_column(std::size_t block, std::size_t f, std::vector<double>& node) {
+    const std::size_t at = first_[f], n = first_[f + 1] - at;
+    for (std::size_t j = n - 1; j > 0; --j) {
+        node[at + j - 1] += follows_[at + j] * node[at + j];
+    }
+    const NetworkFacet& facet = network_.facet[f];
+    const Condensed& c = facet_[f];
+    double before = node[at] / pivot_[at];
+    const double outer = before;
+    for (std::size_t j = 1; j < n; ++j) {
+        before = node[at + j] / pivot_[at + j] + follows_[at + j] * before;
+    }
+    const double ends[2]{outer, before};
+    const auto sums = Sideways{facet.sideways}.sums();
+    for (int end = 0; end < 2; ++end) {
+        for (int s = 0; s < 3; ++s) {
+            given_.to_edge(f, end, s) = c.spread[end] * sums[s] * ends[end];
+        }
+    }
+    for (std::size_t k = 0; k < behinds; ++k) {
+        if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
+        given_.to_lump(block, facet.lump[k]) += c.to[k] * ends[1];
+    }
+    const auto touches = touches_of(f);
+    for (std::size_t t = 0; t < touches.size(); ++t) {
+        given_.to_touched(touch_[f] + t) = touches[t].conductance * ends[0];
+    }
+}
+
+void NetworkSystem::follow_column(std::size_t f, const std::vector<double>& x,
+                                  std::vector<double>& node) const {
+    const std::size_t at = first_[f], n = first_[f + 1] - at;
+    const NetworkFacet& facet = network_.facet[f];
+    const Condensed& c = facet_[f];
+    const auto sums = Sideways{facet.sideways}.sums();
+    double into[2]{};
+    for (int end = 0; end < 2; ++end) {
+        if (c.spread[end] == 0.0) continue;
+        for (int s = 0; s < 3; ++s) {
+            into[end] += c.spread[end] * sums[s] * x[facet.edge[end][s]];
+        }
+    }
+    const auto lump = [&](std::uint32_t k) {
+        return network_.lump[k].fixed ? 0.0 : x[network_.edges + k];
+    };
+    for (std::size_t k = 0; k < behinds; ++k) {
+        if (c.to[k] != 0.0) into[1] += c.to[k] * lump(facet.lump[k]);
+    }
+    for (const HeatTouch& touch : touches_of(f)) into[0] += touch.conductance * x[touch.edge];
+    double up = into[1];
+    node[at + n - 1] += up;
+    for (std::size_t j = n - 1; j > 0; --j) {
+        up *= follows_[at + j];
+        node[at + j - 1] += up;
+    }
+    node[at] += into[0];
+    double before = 0.0;
+    for (std::size_t j = 0; j < n; ++j) {
+        node[at + j] = node[at + j] / pivot_[at + j] + (j > 0 ? follows_[at + j] * before : 0.0);
+        before = node[at + j];
+    }
 }
 
 }  // namespace diurna

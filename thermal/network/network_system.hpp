@@ -86,6 +86,11 @@ class NetworkSystem {
     int solve(Residual& residual, double relative_error);
 
  private:
+    /// Upward through a facet's column: what its outer and inner end would do alone.
+    void eliminate_column(std::size_t block, std::size_t f, std::vector<double>& node);
+    /// Back down it, its edges and lumps known.
+    void follow_column(std::size_t f, const std::vector<double>& x,
+                       std::vector<double>& node) const;
     /// A facet with its nodes eliminated: inverse of their matrix between its ends [K W⁻¹].
     struct Condensed {
         double outer, across, inner;

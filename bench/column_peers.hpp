@@ -32,7 +32,7 @@ std::vector<double> periodic_start(const FacetDay& day);
 
 /// Surface temperature at every instant of a day from a state that it leaves at the day's end [K]:
 /// SUNDIALS CVODE, variable-order
-/// BDF with Newton and a banded matrix by differences, begun anew at every jump.
+/// BDF with Newton and a banded matrix by differences, begun again at every jump.
 std::vector<double> cvode_day(const FacetDay& day, std::vector<double>& state, double tolerance);
 
 /// The same by backward Euler, one step to an instant, light taken at the step's end, after

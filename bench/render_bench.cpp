@@ -42,7 +42,7 @@ double now() {
         .count();
 }
 
-/// Time the process has had on its processors [s]: unlike wall time, hardly changed by neighbours.
+/// Time the process has had on its processors [s]: unlike wall time, little changed by neighbours.
 double cpu_now() {
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);

@@ -1,5 +1,5 @@
 // Elevation files to networks of a stated tolerance: time, triangles, and the worst error found by
-// rasterising the network anew. Arguments: elevation files (default: the sample scene's).
+// rasterising the network again. Arguments: elevation files (default: the sample scene's).
 
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/ground/triangulate.hpp"

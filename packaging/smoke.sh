@@ -27,11 +27,12 @@ inside sh -c 'ldd /usr/bin/diurna | grep "not found"' && exit 1
 inside diurna sun --latitude-deg 39.742476 --longitude-deg -105.1786 --time 2003-10-17T12:30:30-07:00 |
     grep '^194\.340' # NREL's SPA example: azimuth 194.34024 degrees
 inside diurna check /usr/share/diurna/scenes/jacksboro/scene.toml 2>/dev/null
+inside rm -rf /srv/first /srv/out /srv/consumer
 inside diurna new /srv/first --dem /usr/share/diurna/scenes/jacksboro/elevation.tif
 inside diurna run /srv/first/scene.toml --out /srv/out --set time.duration_h=2 >/dev/null 2>"$root/tmp/run.log" ||
     { tail -5 "$root/tmp/run.log" >&2; exit 1; }
 inside diurna verify /srv/out
-inside diurna pages --man | head -1
+inside diurna pages --man | sed -n 1p # reads to the end: no broken pipe
 
 echo "-- the libraries"
 inside sh -c 'apt-get install -y -qq --no-install-recommends --reinstall /tmp/diurna-dev_*.deb cmake ninja-build g++ \

@@ -73,7 +73,7 @@ void keep_amounts(SunlitAir& air, const std::vector<Amounts>& to_sun) {
         const std::size_t from = std::max(i, std::min(lowest, levels - 1));
         const Amounts& met = to_sun[from];
         std::vector<std::vector<double>>& ln_amount = air.ln_amount.value;
-        // The top has nothing above it: a thousandth of the level below stands for none.
+        // The top has nothing above it: a thousandth of the level below represents none.
         const auto ln = [&](std::size_t k, double amount) {
             const double below = i > 0 ? ln_amount[i - 1][k] : -700.0;
             return std::max(std::log(std::max(amount, 1e-304)), below - std::log(1e3));

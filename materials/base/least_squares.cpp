@@ -92,7 +92,7 @@ double alike(const Eigen::VectorXd& residual, Eigen::Index apart) {
     return residual.head(left).dot(residual.tail(left)) / sum;
 }
 
-/// How many neighbouring residuals are worth one: 1 + 2 sum of their correlations, as long as those
+/// How many neighbouring residuals count as one: 1 + 2 sum of their correlations, as long as those
 /// of two distances one after the other have a positive sum (Geyer 1992, section 3.3).
 double worth_one(const Eigen::VectorXd& residual) {
     double sum = -1.0;

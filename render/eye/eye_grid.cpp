@@ -30,8 +30,8 @@ double straight_error(const Band& band, const Eigen::MatrixXd& fine) {
         columns.push_back({bend, least});
         darkest = std::min(darkest, least);
     }
-    // A kelvin is worth least where it is darkest: so no column can be worse than its bend there,
-    // and most need no temperature of their own.
+    // A kelvin changes radiance least where it is darkest: so no column can be worse than its bend
+    // there, and most need no temperature of their own.
     const auto per_kelvin = [&](double radiance) {
         return diurna::radiance_per_kelvin(band, radiance);
     };

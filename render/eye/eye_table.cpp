@@ -21,7 +21,7 @@ std::array<float, 4> sums(const Lane& a, const Lane& b, const Lane& c, const Lan
     return out;
 }
 
-/// What the numbers of an EyeRow stand for, before the air, in one material.
+/// What the numbers of an EyeRow represent, before the air, in one material.
 struct RowWorth {
     const BandLight& band;
     const NodeOptics& optics;
@@ -70,7 +70,7 @@ struct RowWorth {
     }
 };
 
-/// Sums over the nodes of each channel of weight × what the numbers of an EyeRow stand for of an
+/// Sums over the nodes of each channel of weight × what the numbers of an EyeRow represent of an
 /// origin's light: (channel, number).
 Eigen::MatrixXd channel_weights(const RowWorth& worth, Origin origin) {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

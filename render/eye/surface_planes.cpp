@@ -42,7 +42,7 @@ NodeOptics white(std::size_t nodes) {
             .room = {}};
 }
 
-/// What the numbers of a facet's row are worth in a band, (product)(number).
+/// What the numbers of a facet's row contribute in a band, (product)(number).
 using Worth = std::array<std::vector<double>, products.size()>;
 Worth worth_of(const BandLight& band, const NodeOptics& optics) {
     Worth worth;

@@ -109,7 +109,7 @@ double SystemMtf::operator()(double right, double down) const {
 Oversampling oversampling_of(const Instrument& instrument, const SystemMtf& mtf) {
     const double pitch = instrument.detector.pitch;
     const auto left_at = [&](int times) {
-        double most = 0.0;  // beyond half the rate to the rate itself, where it folds to nought
+        double most = 0.0;  // beyond half the rate to the rate itself, where it folds to zero
         for (int i = 0; i <= 16; ++i) {
             const double f = (0.5 + 0.5 * i / 16.0) * times / pitch;
             most = std::max({most, std::abs(mtf(f, 0.0)), std::abs(mtf(0.0, f))});

@@ -309,7 +309,7 @@ Shot take(const Camera& camera, std::span<const float> flux, std::int64_t frame,
             signal = with_fate(camera, signal, p, frame);
             if (is_photon(camera)) {
                 full += signal >= well && camera.pattern.fate[p] == Fate::whole ? 1 : 0;
-                signal = std::min(signal, well);  // noise goes below nought; counts do not
+                signal = std::min(signal, well);  // noise goes below zero; counts do not
             }
             const PixelCorrection correction = correction_of(camera, lights, p, time);
             shot.signal[p] = static_cast<float>(scene);

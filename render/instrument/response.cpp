@@ -17,7 +17,7 @@ constexpr int pieces = 4;  // of each stretch between points of the spectra, for
 
 double top_um(const Spectrum& response) { return response.wavelength_um.back(); }
 
-/// The response times what a wavelength is worth: λ/λ_top to a photon detector.
+/// The response times the weight of a wavelength: λ/λ_top to a photon detector.
 Spectrum weighted(const Instrument& instrument, const Spectrum& response,
                   const std::function<double(double)>& factor) {
     const bool photon = instrument.detector.kind == DetectorKind::photon;

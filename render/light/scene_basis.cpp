@@ -126,7 +126,7 @@ SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> all_opti
     const auto samples = radiosity_samples(optics, incident, black);
     const Spectra receivers = receivers_of(optics, incident[1], black[0], double{surrounded});
     const double sunlit = greatest_sunlit(band, optics, incident);
-    // Σ w f g ≤ √(Σ w f²) √(Σ w g²): a rest of norm r is worth at most r √width.
+    // Σ w f g ≤ √(Σ w f²) √(Σ w g²): a rest of norm r contributes at most r √width.
     const double width = std::sqrt(std::max(1e-30, band.width_um()));
     const double kelvin = band_radiance_derivative(band, double{extent.coldest});
     const double fine = std::max(1e-4 * kelvin, 1e-8 * sunlit) / width;
@@ -141,7 +141,7 @@ std::vector<Probe> probes(const Band& band, const Channels& channels, const Radi
     all.push_back(all.front());
     for (float& x : all.back().heat) x *= 0.2f;
     if (input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0) return all;
-    // Where sunlight outshines heat, an error is worth more kelvins.
+    // Where sunlight exceeds heat, an error corresponds to more kelvins.
     std::vector<double> sunlit(band.node_um.size());
     for (std::size_t n = 0; n < sunlit.size(); ++n) {
         sunlit[n] = 0.1 * (light.sun[n] / std::numbers::pi + light.sky[n]);

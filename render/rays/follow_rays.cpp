@@ -98,7 +98,7 @@ bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const Secondary
 }
 
 /// (index among the pixels asked) whether lobes are to have more rays there: where one met a facet,
-/// and the pixels about it, so that the choice hardly leans on chance.
+/// and the pixels about it, so that the choice depends little on chance.
 std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size_t width,
                                 const std::vector<std::vector<SecondaryRay>>& found,
                                 const SecondaryScene& scene) {

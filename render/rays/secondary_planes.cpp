@@ -105,7 +105,7 @@ std::vector<SurfacePlanes> planes_of(const SecondaryTables& tables, std::size_t 
 
 float ratio(double of, double to) { return to != 0.0 ? static_cast<float>(of / to) : 0.0f; }
 
-/// What the secondary rays of one pixel after another are worth.
+/// What the secondary rays of one pixel after another contribute.
 class SecondaryValues {
  public:
     SecondaryValues(const SecondaryTables& tables, const RoughMirrors& rough)

@@ -138,7 +138,7 @@ class NodeSum {
         return light;
     }
 
-    /// What the secondary ray sends along the ray that arrives, but for what it mirrors and lets
+    /// What the secondary ray sends along the ray that arrives, except for what it mirrors and lets
     /// through.
     LightByOrigin own(const SecondaryRay& secondary) const {
         if (secondary.kind == SecondaryRay::Kind::plume) {

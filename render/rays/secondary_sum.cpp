@@ -129,7 +129,8 @@ void SecondarySum::add_scattered_path(std::size_t i, std::size_t b) {
                                           double{here - nearer};
 }
 
-/// What the air up to here sends, or the sky, but for what is sent up to the secondary ray before.
+/// What the air up to here sends, or the sky, except for what is sent up to the secondary ray
+/// before.
 void SecondarySum::add_air(std::size_t i) {
     const SecondaryRay& secondary = rows_.list[i];
     const std::size_t n = lanes_;

@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const CLI::Option& option) {
     return CLI::detail::split(type.substr(from + 1, to - from - 1), ',');
 }
 
-/// What stands for its value: "TEXT", "INT", "a|b"; empty for a flag.
+/// What represents its value: "TEXT", "INT", "a|b"; empty for a flag.
 std::string value_of(const CLI::Option& option) {
     if (option.get_type_size() == 0) return "";
     const std::vector<std::string> words = words_of(option);

@@ -128,7 +128,7 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
     return ranges;
 }
 
-/// Of its pictures' files, but for band and instant.
+/// Of its pictures' files, except for band and instant.
 std::string picture_name(const ObserverInput& observer) {
     Frame named;
     named.observer = observer.name;

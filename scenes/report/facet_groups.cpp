@@ -7,7 +7,7 @@ namespace diurna {
 
 namespace {
 
-/// What the materials of a target's parts stand for; of others there is none.
+/// What the materials of a target's parts represent; of others there is none.
 std::map<MaterialId, std::string> part_names(const Prepared& prepared, std::size_t id) {
     std::map<MaterialId, std::string> names;
     for (const TargetFacets& target : prepared.world.targets) {

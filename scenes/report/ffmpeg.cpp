@@ -32,7 +32,7 @@ std::unique_ptr<ChildProcess> start(std::vector<std::string> words, int input) {
 }
 
 /// Between the pictures that come and the file's name. The pictures have 250 colours; a GIF's
-/// palette is of all of them together, and no dots stand for colours in between.
+/// palette is of all of them together, and no dots represent colours in between.
 std::vector<std::string> output_words(MovieKind kind) {
     if (kind == MovieKind::gif) {
         return {"-filter_complex",

@@ -58,7 +58,7 @@ std::optional<HeatState> earlier_state(const Prepared& prepared) {
     return std::move(timed.state);
 }
 
-/// What the start is worth, in one line.
+/// The effect of the start, in one line.
 std::string start_reported(const SolveInput& input, const SpanOptions& span,
                            const SpanResult& result) {
     const SolveReport& report = result.report;

@@ -14,10 +14,10 @@ namespace diurna {
 
 namespace {
 
-// [K] of facets from one of their kind, until measured: on open ground, and where something that
+// [K] of facets from their representative, until measured: on open ground, and where something that
 // stands up may throw its shadow.
 constexpr float open_ground = 3.0f, in_shadows = 15.0f;
-constexpr double share_of_tolerance = 0.5;  // that what is stood for may take
+constexpr double share_of_tolerance = 0.5;  // that represented facets may take
 constexpr std::size_t most_probes = 128;
 
 /// What ground facets of a kind have in common: material, and steps of 1/8 of the normal's parts,
@@ -71,9 +71,9 @@ void share_within(const FacetSet& facets, std::span<const NetworkObject> network
     }
 }
 
-/// How much of a picture's heat a facet decides: what it fills of it (picture_shares), what is felt
-/// of it there if it stands up, as ground that no picture sees warms a box from below and this the
-/// ground about it, and what it is of a target that does.
+/// How much of a picture's heat a facet decides: what it fills of it (picture_shares), what reaches
+/// it of it there if it stands up, as ground that no picture sees warms a box from below and this
+/// the ground about it, and what it is of a target that does.
 ///
 /// - stands: (facet) 1 where it is no ground
 std::vector<float> decided_by(const FacetSet& facets, std::span<const FacetViews* const> views,
@@ -100,11 +100,11 @@ std::vector<float> decided_by(const FacetSet& facets, std::span<const FacetViews
     return share;
 }
 
-/// Who feels whose heat, in pictures.
+/// Which facets affect which, in pictures.
 struct Coupled {
     std::vector<const FacetViews*> views;  // of each stage
     std::vector<float> share;              // (facet) of what a picture shows it decides
-    std::vector<float> deviation;          // (facet) [K] that another of its kind may be off
+    std::vector<float> deviation;          // (facet) [K] by which its representative may be wrong
 };
 
 /// What a kelvin deviation [K/K], or what all that is deviation [K], of facets not `solved` makes
@@ -126,8 +126,8 @@ double weight_of(const Coupled& coupled, const std::vector<std::uint8_t>& solved
     return worst;
 }
 
-/// Marks the facets that are worth most, until what the others may be deviation is little enough
-/// [K].
+/// Marks the facets with the largest effect, until what the others may be deviation is little
+/// enough [K].
 void add_coupled(const Coupled& coupled, const std::vector<float>& worth, double allowed,
                  std::vector<std::uint8_t>& solved) {
     std::vector<std::uint32_t> order;

@@ -57,7 +57,7 @@ std::string reported(double value) { return std::isnan(value) ? "" : fmt::format
 constexpr double radius = 92.0, pitch = 250.0, row_pitch = 264.0, plot_left = 120.0,
                  top = 64.0;  // [px]
 
-/// From white to a dark red, or to blue below nought.
+/// From white to a dark red, or to blue below zero.
 std::string colour(double share) {
     const std::array<double, 3> far =
         share >= 0.0 ? std::array<double, 3>{165, 0, 38} : std::array<double, 3>{49, 54, 149};

@@ -180,7 +180,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
     report.kept += group.variants.size() - pending.size();
     for (const Variant& variant : group.variants) {
         const bool kept = std::find(pending.begin(), pending.end(), &variant) == pending.end();
-        // One that was killed when all was written but for this.
+        // One that was killed when all was written except for this.
         if (kept) fs::remove(variant_folder(group.options.out, variant.name) / ledger_file);
     }
     if (pending.empty()) {

@@ -17,8 +17,8 @@ namespace diurna {
 /// - sky: of the weather of the heat balance (Prepared::weather)
 ///
 /// A table of paths and a vacuum cannot be scaled: their sums are the heat balance's. Those of a
-/// vacuum agree where nothing was measured (thermal/weather/clear_sky.hpp), but for the sun's light
-/// outside 0.3 to 5 µm (1.7 %).
+/// vacuum agree where nothing was measured (thermal/weather/clear_sky.hpp), except for the sun's
+/// light outside 0.3 to 5 µm (1.7 %).
 LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeries& sky,
                            Instant instant);
 

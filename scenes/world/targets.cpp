@@ -379,7 +379,7 @@ class Builder {
     std::uint32_t corners_ = 0;
 };
 
-/// Tells of hours of which none is within the span.
+/// Reports hours of which none is within the span.
 void tell_idle(const ObjectInput& input, const TimeInput& time, NetworkObject& object) {
     const auto tell = [&](const char* what, const std::string& name,
                           const std::vector<ClockHours::Window>& windows) {

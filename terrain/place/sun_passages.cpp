@@ -16,7 +16,7 @@ Instant whole_second(Instant begin, double seconds) {
     return std::chrono::round<std::chrono::seconds>(later(begin, seconds));
 }
 
-/// Where a function of seconds, of opposite signs at both ends, is nought: to a millisecond.
+/// Where a function of seconds, of opposite signs at both ends, is zero: to a millisecond.
 template <class Of>
 double root(const Of& of, double from, double to) {
     const bool rises = of(from) < 0.0;
@@ -37,7 +37,7 @@ double summit(const Of& of, double from, double to) {
     return 0.5 * (from + to);
 }
 
-/// Calls passed(seconds, rising) wherever it passes nought from 0 to `duration`.
+/// Calls passed(seconds, rising) wherever it passes zero from 0 to `duration`.
 template <class Of, class Passed>
 void each_root(const Of& of, double duration, const Passed& passed) {
     const auto between = [&](double from, double to) {

@@ -94,7 +94,7 @@ double drawn(std::size_t a, std::size_t b) {
 }
 
 /// Rays of either facet of a pair that met the other, for all pairs that have met. Of the pairs
-/// below the cut-off a few stand for all.
+/// below the cut-off a few represent all.
 Rows hits_of_pairs(std::span<const double> area_of, const FacetViews& views, double cut_off,
                    ReciprocityReport& report) {
     const ViewFactors& seen = views.others;

@@ -213,7 +213,9 @@ Family polygons_and_pictures() {
 
 TEST_CASE("rasters that are no ground are refused") { corpus::no_fault("rasters", rasters()); }
 TEST_CASE("spectra that cannot be are refused") { corpus::no_fault("spectra", spectra()); }
-TEST_CASE("malformed ways and air are refused") { corpus::no_fault("ways", ways_and_air()); }
+TEST_CASE("malformed trajectories and air are refused") {
+    corpus::no_fault("ways", ways_and_air());
+}
 TEST_CASE("polygons and pictures that cannot be are refused") {
     corpus::no_fault("scenes", polygons_and_pictures());
 }

@@ -176,7 +176,7 @@ TEST_CASE("a number of any key at -1e18 is refused") {
                      numbers_as(yard::column, "column.toml", "-1e18", {"column", "column.toml"}));
 }
 
-TEST_CASE("scenes whose numbers do not go together are refused") {
+TEST_CASE("scenes with numbers that contradict each other are refused") {
     using corpus::scene;
     corpus::no_fault(
         "together",

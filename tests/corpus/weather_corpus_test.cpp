@@ -170,7 +170,7 @@ TEST_CASE("the point tool refuses the same cells") {
     corpus::no_fault("point cells", cases);
 }
 
-TEST_CASE("weather files that are none are refused") { corpus::no_fault("weather", files()); }
+TEST_CASE("files that are no weather files are refused") { corpus::no_fault("weather", files()); }
 
 TEST_CASE("weather that is not as its scene says is refused") {
     corpus::no_fault("weather keys", keys());

@@ -54,10 +54,10 @@ void kill_and_resume(int times, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a run killed at eight moments ends as one in one go", "[faults][kill]") {
+TEST_CASE("a run killed at eight moments ends as an uninterrupted one", "[faults][kill]") {
     kill_and_resume(8, 20260620);
 }
-TEST_CASE("a run killed at fifty moments ends as one in one go", "[faults][kill][long]") {
+TEST_CASE("a run killed at fifty moments ends as an uninterrupted one", "[faults][kill][long]") {
     kill_and_resume(50, std::random_device{}());
 }
 

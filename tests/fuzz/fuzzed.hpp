@@ -21,7 +21,7 @@
 #include "tests/support/scratch_folder.hpp"
 
 /// What the harnesses of libFuzzer share: its bytes as a file among others, a judge of what a
-/// reader makes of it, and a mutator that knows numbers, words and lines. Each harness is a source
+/// reader sets, and a mutator that knows numbers, words and lines. Each harness is a source
 /// of its own that includes this.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 

@@ -63,7 +63,7 @@ TEST_CASE("vapour thins by Kunkel's coefficient and is never above saturation",
 }
 
 TEST_CASE("moist air is hydrostatic by its virtual temperature", "[materials][air]") {
-    // Isothermal but for 1e-9 K/m, with vapour of one scale height: ∫ dz / Tv by Simpson's rule.
+    // Isothermal except for 1e-9 K/m, with vapour of one scale height: ∫ dz / Tv by Simpson's rule.
     const AirByHeight rule{.station = 0.0, .lapse = -1e-9};
     const AirState moist{.temperature = 305.0, .pressure = 1e5, .vapour_pressure = 3000.0};
     double ln_pressure = 0.0, pressure = 1e5;

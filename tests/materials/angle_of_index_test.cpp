@@ -12,7 +12,7 @@
 using namespace diurna;
 
 // Emissivity by angle of metals and dielectrics, by n and k or by the index that a reflectance
-// upright stands for.
+// upright represents.
 
 namespace {
 

@@ -81,7 +81,7 @@ TEST_CASE("where the air is opaque one sees its own temperature", "[materials][a
     CHECK(path.radiance[0] == Approx(planck(4.26, air.profile.temperature.front())).epsilon(1e-3));
 }
 
-TEST_CASE("a vacuum neither absorbs nor shines", "[materials][atmosphere][by_degenerate]") {
+TEST_CASE("a vacuum neither absorbs nor emits", "[materials][atmosphere][by_degenerate]") {
     const Atmosphere none = Vacuum{.space_temperature = 4.0};
     const Band in = band(8, 12);
     const PathSpectrum path = path_at_nodes(none, sight_line(0.0, 90.0, 100.0), in.node_um);

@@ -108,7 +108,7 @@ TEST_CASE("a response file is a band, in micrometres or nanometres", "[materials
     CHECK(band_radiance(response_band("flat", flat), 300.0) == Approx(38.5004239333).epsilon(1e-7));
 }
 
-TEST_CASE("a response file's mistakes are told with their place", "[materials][band]") {
+TEST_CASE("a response file's mistakes are reported with their place", "[materials][band]") {
     CHECK_THAT(refusal("um,response\n8,1\n12,1\n"), Catch::Contains("wavelength_um"));
     CHECK_THAT(refusal("wavelength_um,response\n8,1\n12,1.2\n"), Catch::Contains(":3:"));
     CHECK_THAT(refusal("wavelength_um,response\n8,1\n8,1\n"), Catch::Contains("ascending"));

@@ -21,7 +21,7 @@ TEST_CASE("cloud takes of global and diffuse light what Kasten and Czeplak measu
     }
 }
 
-TEST_CASE("a level cloud's loss of beam and of all light tells its part of the sky and its depth",
+TEST_CASE("a level cloud's cover and depth follow from its loss of beam and of all light",
           "[materials][cloud]") {
     std::mt19937 random(41);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -94,7 +94,7 @@ TEST_CASE("a thick cloud's sunlit top is as bright as its closed-form albedo say
     CHECK(path_at_nodes(model, chord(0.9, 0.0, 0.9), um).transmittance[0] > 0.95);
 }
 
-TEST_CASE("what stands behind a thick cloud looks like the sky beside it", "[materials][cloud]") {
+TEST_CASE("an object behind a thick cloud looks like the sky beside it", "[materials][cloud]") {
     const std::vector<double> node_um = {0.55, 0.87, 1.6, 2.1, 3.7};
     BandModel model = cloudy(1.0);
     model.cloud.optical_depth = 40.0;

@@ -63,7 +63,7 @@ std::size_t folders_left() {
 
 }  // namespace
 
-TEST_CASE("a tape5's fields stand where MODTRAN 5 reads them", "[materials][modtran]") {
+TEST_CASE("a tape5's fields are where MODTRAN 5 reads them", "[materials][modtran]") {
     const ModtranDeck deck{.emission = ModtranDeck::Emission::thermal,
                            .model = "TROP",
                            .aerosol = "rural",
@@ -155,7 +155,7 @@ TEST_CASE("the program runs in its own folder and its result comes back",
     CHECK(folders_left() == before);
 }
 
-TEST_CASE("a program that hangs, floods, fails or leaves nothing is told of",
+TEST_CASE("a program that hangs, floods, fails or writes nothing is reported",
           "[materials][modtran][run][stress]") {
     const std::size_t before = folders_left();
     const auto begin = std::chrono::steady_clock::now();

@@ -144,7 +144,7 @@ TEST_CASE("mistakes name one of several tables by its name, as settings do",
           std::string::npos);
 }
 
-TEST_CASE("a document tells what was asked of it, and how", "[materials][document][own_keys]") {
+TEST_CASE("a document lists which keys were read, and how", "[materials][document][own_keys]") {
     const Document document = Document::from_text(
         "[[rule]]\nkind = \"steep\"\nheight_m = 3.0\n[parts]\nwheel = \"rubber\"\n", "hill.toml");
     const Section rule = document.root().sections("rule", "what holds where").at(0);
@@ -199,7 +199,7 @@ TEST_CASE("numbers take up the whole text and are finite", "[materials][files]")
     }
 }
 
-TEST_CASE("the nearest word is found, and none where none is near", "[materials][error]") {
+TEST_CASE("the nearest word is suggested, and no distant one", "[materials][error]") {
     const std::vector<std::string> words = {"asphalt", "concrete", "grass"};
     CHECK(nearest("asfalt", words) == "asphalt");
     CHECK(nearest("gras", words) == "grass");

@@ -87,7 +87,7 @@ double covered(double carried, double share, int length) {
 
 }  // namespace
 
-TEST_CASE("nineteen intervals of twenty hold the truth, of errors that go on too",
+TEST_CASE("nineteen intervals of twenty hold the truth, of correlated errors too",
           "[materials][least_squares][by_replication]") {
     // 800 intervals: 0.95 to 0.008, one standard deviation.
     const double own = covered(0.0, 0.0, 300), going_on = covered(0.8, 1.0, 300),
@@ -98,7 +98,7 @@ TEST_CASE("nineteen intervals of twenty hold the truth, of errors that go on too
     CHECK(slow > 0.91);      // 1 + 2 sum r_k = 20, where the next alone would tell of 2.8
 }
 
-TEST_CASE("a number beyond its bound is held there, one of no effect is told",
+TEST_CASE("a number beyond its bound is held there, one without effect is reported",
           "[materials][least_squares]") {
     std::vector<double> x, y;
     for (int i = 1; i <= 50; ++i) {

@@ -48,9 +48,9 @@ Spectrum measured(const std::filesystem::path& file) {
 }  // namespace
 
 // Spreads: 0.01 where the library is after that very sample, what samples of a kind differ by where
-// it stands for the kind, 1 where the library is something else on purpose (its spectrum's head
+// it represents the kind, 1 where the library is something else on purpose (its spectrum's head
 // says what; the published ranges below hold there).
-TEST_CASE("spectra are those of the ECOSTRESS library within the spread of their kind",
+TEST_CASE("spectra are those of the ECOSTRESS library within the spread of its samples",
           "[materials][audit][by_history]") {
     const auto folder = shared_data("data/spectra/materials");
     if (!folder) return;
@@ -231,7 +231,7 @@ TEST_CASE("every number of the library has its source", "[materials][audit]") {
     }
 }
 
-TEST_CASE("notes of a library are read as they stand", "[materials][audit]") {
+TEST_CASE("notes of a library are read unchanged", "[materials][audit]") {
     const LibraryNotes notes = library_notes(data_folder() / "library.toml");
     const MaterialNote* brown = notes.find("brown_paint");
     REQUIRE(brown != nullptr);

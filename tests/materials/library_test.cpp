@@ -63,7 +63,7 @@ back = { kind = "none" }
 
 }  // namespace
 
-TEST_CASE("the library has what the scenes ask for", "[materials][library]") {
+TEST_CASE("the library has what the scenes need", "[materials][library]") {
     for (const char* name :
          {"grass", "dry_grass", "forest", "bare_soil", "rock", "asphalt", "concrete",
           "concrete_wall", "painted_steel", "galvanised_steel", "glass", "brick", "water", "sand",
@@ -283,7 +283,7 @@ TEST_CASE("a library's material may be taken as it is or changed", "[materials][
     CHECK(planck_mean(white.reflectance) == Approx(0.9).margin(0.01));
 }
 
-TEST_CASE("all mistakes of a material are told at once, with their places",
+TEST_CASE("all mistakes of a material are reported at once, with their places",
           "[materials][library]") {
     const auto found = mistakes(R"([material]
 albedo = 1.2

@@ -51,7 +51,7 @@ const std::string plain_body =
 
 }  // namespace
 
-TEST_CASE("what is like another and says nothing else is that, in scene and column",
+TEST_CASE("a material that is like another and has no other key is that one, in scene and column",
           "[materials][like][own_keys]") {
     for (const std::string& name : library().names()) {
         CAPTURE(name);
@@ -134,7 +134,7 @@ TEST_CASE("a net's strips stay what they are whatever they cover",
 // Of the sun at the ground (ASTM G173, global) 96 % lies within 0.35 to 2.5 µm, of a black body at
 // 300 K 0.02 % (Planck's fractions: 0.0000 to 750 µm K).
 // The ends are those of the tables' first and last rows (materials/spectra/*_refraction.csv).
-TEST_CASE("a band past the ends of the library's own n and k is told",
+TEST_CASE("a band past the ends of the library's own n and k is reported",
           "[materials][like][own_keys][spectrum]") {
     const std::vector<Band> bands{flat_band("8-12", 8.0, 12.0), flat_band("far", 20.0, 30.0),
                                   flat_band("uv", 0.25, 0.4)};
@@ -160,7 +160,7 @@ TEST_CASE("a band past the ends of the library's own n and k is told",
     CHECK(reported("asphalt").empty());
 }
 
-TEST_CASE("a spectrum that ends short of heat is told, one in nanometres refused",
+TEST_CASE("a spectrum that ends before thermal wavelengths is reported, one in nanometres refused",
           "[materials][like][own_keys][spectrum]") {
     const ScratchFolder folder("short");
     write_text(folder.path / "asd.csv", "wavelength_um,value\n0.35,0.2\n2.5,0.3\n");

@@ -118,7 +118,7 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
     }
 }
 
-TEST_CASE("published tape7 files have the columns and headers that FORMATS.md tells of",
+TEST_CASE("published tape7 files have the columns and headers that FORMATS.md lists",
           "[materials][modtran][reference]") {
     const auto folder = shared_data("data/atmosphere/tape7/modtran5_pyradi");
     if (!folder) return;

@@ -28,7 +28,7 @@ double sum_of(const Band& band, const std::vector<double>& light,
 }  // namespace
 
 // The product of both ways' transmittances is 3 to 7 % below in 0.7-1.0 and 1.5-1.8 µm.
-TEST_CASE("sunlight that goes down and up again is LOWTRAN7's to 2 %, one path for the gases",
+TEST_CASE("sunlight reflected by the ground is LOWTRAN7's to 2 %, one path for the gases",
           "[materials][onward][by_comparison]") {
     for (std::size_t b = 0; b < 3; ++b) {
         const Band band = lowtran::ranges[b].band();
@@ -44,7 +44,7 @@ TEST_CASE("sunlight that goes down and up again is LOWTRAN7's to 2 %, one path f
 
 // One gas, one wavelength, the same way down and up: W doubles, so that −ln τ grows 2^a-fold,
 // between 2^0.4 and 2 for every gas of the model; with more ways it is as if both were one line.
-TEST_CASE("a way and the same way back are one of twice the amounts", "[materials][onward]") {
+TEST_CASE("a path and the same path back are one of twice the amounts", "[materials][onward]") {
     BandModel air{.profile = afgl_profile("MLS"), .refraction = false};
     const Band band = flat_band("", 3.0, 5.0, bin_edges_um());
     const SightLine down = sight_line(100.0, 180.0);

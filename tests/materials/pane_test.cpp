@@ -31,7 +31,7 @@ struct Faces {
 
 // Light followed to and fro, face by face. Glass of n = 1.526 at 60 degrees: a face reflects 0.093
 // (Duffie & Beckman, Solar Engineering of Thermal Processes, example 5.1.1).
-TEST_CASE("a pane's light goes to and fro between its faces", "[materials][pane]") {
+TEST_CASE("light is reflected to and fro between a pane's faces", "[materials][pane]") {
     CHECK(0.5 * (Faces(60.0, 1.526).across + Faces(60.0, 1.526).along) ==
           Approx(0.093).margin(5e-4));
     const double inside = GENERATE(1.0, 0.9, 0.4, 0.0);

@@ -96,7 +96,7 @@ TEST_CASE("work that is given up ends before its next block, nested loops and al
         10, [](std::size_t) { give_up_if_asked(); }, 1);  // nobody heeds it here
 }
 
-TEST_CASE("what one caller gives up another goes on with", "[terrain][parallel]") {
+TEST_CASE("what one caller gives up another continues", "[terrain][parallel]") {
     GiveUpRequest unwanted{true};
     std::atomic<int> done{0};
     bool given_up = false;

@@ -8,7 +8,7 @@ using namespace diurna;
 // UTF-8 by the table of RFC 3629, section 4; its examples of what is none: "overlong" C0 80, ED A0
 // 80 (half a surrogate pair) and F4 90 80 80 (beyond U+10FFFF). Control characters: ISO 6429's C0,
 // DEL and C1; those that turn text: Unicode's UAX 9, and line ends U+2028 and U+2029.
-TEST_CASE("names keep every letter and lose what is none", "[materials][plain_text]") {
+TEST_CASE("names keep every letter and lose other characters", "[materials][plain_text]") {
     for (const std::string text :
          {"", "asphalt", "Beton, grün", "日本", "\xf0\x9f\x8c\x9e", "a\"<&'>\\"}) {
         CAPTURE(text);

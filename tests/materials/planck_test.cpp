@@ -154,7 +154,7 @@ TEST_CASE("extremes of temperature and wavelength survive",
     CHECK(planck(20, 1e5) == Approx(5155.26423344).epsilon(1e-11));
 }
 
-TEST_CASE("a black body far too cold to shine is dark, not NaN",
+TEST_CASE("a black body far too cold to emit is dark, not NaN",
           "[materials][planck][stress][by_extreme]") {
     for (const double kelvins : {0.0, 1e-300, 1e-3, 1.0}) {
         CHECK(planck(0.35, kelvins) == 0.0);

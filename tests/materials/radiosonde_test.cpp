@@ -185,7 +185,7 @@ TEST_CASE("one bad level of a list costs no good one", "[materials][profile]") {
     const bool high = GENERATE(true, false);
     const Profile bad =
         read_radiosonde(file_with(even_list(4, high ? 0.0 : 400.0, high ? 9000.0 : 0.0)));
-    // Levels 500 m apart stay, but for the one.
+    // Levels 500 m apart stay, except for the one.
     for (const double km : {0.8, 1.3, 1.8, 2.8, 3.3, 5.3, 8.8, 12.3}) {
         CAPTURE(high, km);
         CHECK(air_at(bad, km).temperature == Approx(air_at(good, km).temperature).margin(1e-6));

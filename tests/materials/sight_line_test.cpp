@@ -31,7 +31,7 @@ End end_of(const SightLine& line, double height_km, double zenith_deg, const Pro
 
 }  // namespace
 
-TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_line][by_events]") {
+TEST_CASE("the setting sun is where the almanacs say", "[materials][sight_line][by_events]") {
     // Refraction R = z0 + angle at the centre - true zenith angle; far above the air the ray is
     // straight, so R = z0 + angle - z(top). Bennett's formula (1982, 0.07' of observations at
     // 1010 hPa, 10 C) is 0.98' at 45 degrees, 5.3' at 80, 9.9' at 85, 18.2' at 88.

@@ -208,7 +208,7 @@ TEST_CASE("some nodes alone are the same as all, in any thread", "[materials][sc
     }
 }
 
-TEST_CASE("the sky of subarctic summer shines as REPTRAN's",
+TEST_CASE("the sky of subarctic summer has REPTRAN's radiance",
           "[materials][scattering][flux][by_comparison]") {
     // libRadtran with REPTRAN, fine: down-welling irradiance without aerosol, 330 ppm [W m-2].
     BandModel air = model("SAS");

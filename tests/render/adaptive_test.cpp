@@ -80,7 +80,8 @@ TEST_CASE("samples go where the spread is, in proportion", "[render][adaptive]")
           std::vector<int>(9, 16));
 }
 
-TEST_CASE("only the pixels asked for are cast, and as ever", "[render][adaptive][view]") {
+TEST_CASE("only the requested pixels are cast, with unchanged results",
+          "[render][adaptive][view]") {
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     const Observer eye = testing::hilly_observer();

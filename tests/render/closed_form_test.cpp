@@ -204,7 +204,7 @@ TEST_CASE("ground in front of a hot wall reflects it", "[render][closed_form]") 
 
 // A black sphere of radius r over a plate sends each of its points F = r² cosθ / d² of its
 // radiance's hemisphere, d and θ to its centre, as long as all of it is above the plate's horizon.
-TEST_CASE("a sphere over a plate shines on it by the inverse square",
+TEST_CASE("a sphere over a plate irradiates it by the inverse square",
           "[render][closed_form][by_comparison]") {
     World world;
     constexpr double radius = 1.0, height = 2.5, reflectance = 0.3;

@@ -40,7 +40,7 @@ TEST_CASE("a cube's channels carry Planck's law at their wavelengths", "[render]
     for (std::size_t c = 0; c < 60; ++c) {
         CHECK(cube.wavelength_um[c] == Approx(8.025 + 0.05 * double(c)));
         CHECK(cube.width_um[c] == Approx(0.05));
-        // The mean over 0.05 µm is the middle's value but for the curvature, (Δλ)² B'' / 24.
+        // The mean over 0.05 µm is the middle's value except for the curvature, (Δλ)² B'' / 24.
         CHECK(double{cube.radiance[c][20]} ==
               Approx(planck(cube.wavelength_um[c], 310.0)).epsilon(2e-5));
     }

@@ -6,7 +6,7 @@
 
 using namespace diurna;
 
-TEST_CASE("linear gain goes from one share of the pixels to another", "[render][instrument]") {
+TEST_CASE("linear gain spans two percentiles of the pixels", "[render][instrument]") {
     std::vector<std::uint16_t> counts(1001);
     std::iota(counts.begin(), counts.end(), std::uint16_t{1000});
     const auto shown = displayed(counts, {.bits = 14, .display = Display::linear});

@@ -65,7 +65,7 @@ TEST_CASE("a frame comes back from its file bit by bit", "[render][exr]") {
     }
 }
 
-TEST_CASE("of a file those planes are read that are wanted and there", "[render][exr]") {
+TEST_CASE("of a file the requested planes that exist are read", "[render][exr]") {
     const Folder folder;
     const auto path = folder.path / "frame.exr";
     const Frame frame = noisy_frame();

@@ -16,7 +16,7 @@ using std::numbers::pi;
 namespace {
 
 /// Every part of the chain: Boreman's and Holst's closed forms at one wavelength, times each other.
-/// Written down here anew; [cycles/m] in the picture's plane.
+/// Written down here again; [cycles/m] in the picture's plane.
 double chain(const Instrument& camera, double right, double down, double wavelength,
              double focal_length) {
     const double f = std::hypot(right, down), nu = f * wavelength * camera.lens.f_number;
@@ -46,7 +46,7 @@ Instrument shaky() {
 
 constexpr double focal_length = 0.05;
 
-/// 4 µm: a band so narrow that one wavelength stands for it.
+/// 4 µm: a band so narrow that one wavelength represents it.
 Camera narrow_camera(const Instrument& instrument, int width, int height) {
     return camera_of(instrument, flat_band("4", 3.995, 4.005), width, height, focal_length);
 }
@@ -215,8 +215,7 @@ TEST_CASE("distortion is turned back, and moves points as Brown's law says",
     CHECK(moment / sum == Approx(40.0 * (1.0 - 200.0 * 1.44e-4)).margin(0.15));
 }
 
-TEST_CASE("more samples of radiance are asked for where the lens is sharper",
-          "[render][instrument]") {
+TEST_CASE("a sharper lens needs more samples of radiance", "[render][instrument]") {
     Instrument sharp = plain_instrument();
     sharp.lens.f_number = 1.5;
     sharp.detector.fill = 0.5;

@@ -102,7 +102,7 @@ TEST_CASE("a bright picture shortens the exposure until its well is not full",
     CHECK(take(fixed, flux, 1, 0.0).saturated == 64 * 64);
 }
 
-TEST_CASE("each preset is a camera, and says what it leaves out", "[render][instrument]") {
+TEST_CASE("each preset is a camera and lists the effects it omits", "[render][instrument]") {
     CHECK(preset_names().size() == 4);
     for (const std::string& name : preset_names()) {
         const bool light = name == "visible" || name == "swir";

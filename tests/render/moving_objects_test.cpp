@@ -82,7 +82,7 @@ double trapezoid(double column, double a, double way) {
 
 }  // namespace
 
-TEST_CASE("a bar that goes while the shutter is open has a trapezoid's profile",
+TEST_CASE("a bar that moves while the shutter is open has a trapezoid's profile",
           "[render][motion][by_comparison]") {
     // The bar is longer than its way, and then shorter: a plateau of 1, and of 0.6 / 2.
     for (const auto& [half, way] : {std::pair{1.0, 0.8}, {0.3, 2.0}}) {
@@ -101,7 +101,7 @@ TEST_CASE("a bar that goes while the shutter is open has a trapezoid's profile",
     }
 }
 
-TEST_CASE("a camera that goes with the bar sees it sharp and the floor blurred",
+TEST_CASE("a camera that moves with the bar sees it sharp and the floor blurred",
           "[render][motion]") {
     Scene scene(-1.0, 1.0, 0.5, 0.8);
     scene.observer.velocity = {0.8 / 0.02, 0.0, 0.0};
@@ -152,7 +152,7 @@ TEST_CASE("rows that are read in turn see the bar where it is by then", "[render
     }
 }
 
-TEST_CASE("the shadow of what goes is blurred with it", "[render][motion][sun]") {
+TEST_CASE("the shadow of a moving object is blurred with it", "[render][motion][sun]") {
     // A sun 45 degrees high in the west: the shadow of the bar 2 m up lies 2 m east of it, in view.
     constexpr double way = 0.8;
     const Scene scene(-0.6, 0.6, 2.0, way);

@@ -75,8 +75,7 @@ TEST_CASE("a camera below the ground or inside an object is refused by its depth
     CHECK_THROWS_WITH(check_observer(observer, facets, scene), Catch::Contains("inside object 1"));
 }
 
-TEST_CASE("an observer that makes no sense is told all that is wrong with it",
-          "[render][observer][input]") {
+TEST_CASE("every error of an invalid observer is reported", "[render][observer][input]") {
     Observer observer;
     observer.horizontal_fov_deg = 200.0;
     observer.width = 0;

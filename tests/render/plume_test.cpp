@@ -10,7 +10,8 @@
 
 using namespace diurna;
 
-TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume][by_comparison]") {
+TEST_CASE("a plume absorbs and emits by Beer and Lambert",
+          "[render][secondary][plume][by_comparison]") {
     const double absorption = GENERATE(0.02, 0.3, 2.0), thickness = 4.0;
     SecondaryStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 300.0f);
@@ -29,7 +30,7 @@ TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume
           Approx((1.0 - through) * band_radiance(mwir, 700.0)).epsilon(2e-5));
 }
 
-TEST_CASE("plumes in a row, and an eye inside one", "[render][hops][plume]") {
+TEST_CASE("plumes in a row, and a camera inside one", "[render][secondary][plume]") {
     SecondaryStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 300.0f);
     stage.plume(20.0, 2.0, 0.2, 500.0);
@@ -43,7 +44,7 @@ TEST_CASE("plumes in a row, and an eye inside one", "[render][hops][plume]") {
     CHECK(stage.look(stage.observer(5, 0.5), lwir).at(12) == Approx(expected).epsilon(2e-5));
 }
 
-TEST_CASE("a plume's mesh must be closed", "[render][hops][plume]") {
+TEST_CASE("a plume's mesh must be closed", "[render][secondary][plume]") {
     SecondaryStage stage;
     stage.plume(20.0, 2.0, 0.2, 500.0);
     stage.plumes[0].triangle.pop_back();

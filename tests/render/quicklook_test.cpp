@@ -83,7 +83,7 @@ TEST_CASE("a quick-look is a PNG whose palette rises evenly in lightness", "[ren
     CHECK(span == Approx(87.0).margin(1.5));
 }
 
-TEST_CASE("the colour scale leaves out the extreme hundredths", "[render][quicklook]") {
+TEST_CASE("the colour scale omits the extreme hundredths", "[render][quicklook]") {
     const ColourScale scale = colour_scale(ramp().planes[0]);
     // Columns 2 and 253 of 256: 0.78 °C and 99.2 °C, widened to whole degrees.
     CHECK(scale.low == 0.0);

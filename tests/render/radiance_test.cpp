@@ -64,7 +64,7 @@ const Atmosphere cold_space = Vacuum{.space_temperature = 3.0};
 }  // namespace
 
 // A Lambertian plate in the sun without air: L = ρ E cosθ / π, half of it in half shadow.
-TEST_CASE("an irradiated plate shines by Lambert's law", "[render][radiance][by_comparison]") {
+TEST_CASE("an irradiated plate reflects by Lambert's law", "[render][radiance][by_comparison]") {
     Pair pair(1.0f, 0.0f, 0.0f, {1.0f, 1.0f}, 0.4);
     pair.sun = {1.0f, 0.5f};
     const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
@@ -232,7 +232,7 @@ TEST_CASE("between two heights 29 m apart the sky's light is their mean, farther
     CHECK(sky(level[2]) == sky(near[0]));
 }
 
-TEST_CASE("the background goes over from sky to plain at the horizon", "[render][radiance]") {
+TEST_CASE("the background changes from sky to plain at the horizon", "[render][radiance]") {
     const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
     const RadianceInput input = summer_air(pair, summer);
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());

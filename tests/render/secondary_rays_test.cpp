@@ -22,7 +22,7 @@
 
 using namespace diurna;
 
-TEST_CASE("a pane shows what is behind and glows itself", "[render][hops]") {
+TEST_CASE("a pane shows what is behind and glows itself", "[render][secondary]") {
     SecondaryStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 320.0f);
     stage.wall(30.0, 5.0, pane(0.0, 0.6), 290.0f);
@@ -37,7 +37,7 @@ TEST_CASE("a pane shows what is behind and glows itself", "[render][hops]") {
 }
 
 // Two nets that cover 0.7 and 0.4, one behind the other: 0.7 + 0.3 (0.4 + 0.6 wall).
-TEST_CASE("nets in a row cover by their shares", "[render][hops]") {
+TEST_CASE("nets in a row cover by their shares", "[render][secondary]") {
     SecondaryStage stage;
     stage.wall(80.0, 20.0, plain(0.0), 350.0f);
     stage.wall(30.0, 5.0, pane(0.0, 0.3), 285.0f);
@@ -51,7 +51,7 @@ TEST_CASE("nets in a row cover by their shares", "[render][hops]") {
 
 // A polished metal wall, tilted by 45° so that it shows what lies below the line of sight: ground
 // at 330 K. L = ρ(45°) B(330) + (1 − ρ(45°)) B(280), Schlick's ρ(45°) = ρ + (1 − ρ)(1 − cos 45°)^5.
-TEST_CASE("a mirror shows what the reflected ray meets", "[render][hops]") {
+TEST_CASE("a mirror shows what the reflected ray meets", "[render][secondary]") {
     SecondaryStage stage;
     stage.rectangle({{-4, 34, -4}, {4, 34, -4}, {4, 26, 4}, {-4, 26, 4}}, metal(0.8, 0.0), 280.0f);
     stage.rectangle({{-60, -40, -20}, {60, -40, -20}, {60, 100, -20}, {-60, 100, -20}}, plain(0.0),
@@ -67,7 +67,7 @@ TEST_CASE("a mirror shows what the reflected ray meets", "[render][hops]") {
 
 // The share of a rough mirror's lobe that falls on the half-space below a level plane, sampled by
 // the renderer and integrated over the lobe itself.
-TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][hops]") {
+TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][secondary]") {
     const double roughness = GENERATE(0.1, 0.3);
     SecondaryStage stage;
     stage.rectangle({{-4, 34, -4}, {4, 34, -4}, {4, 26, 4}, {-4, 26, 4}}, metal(1.0, roughness),
@@ -115,7 +115,7 @@ TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][hops]") {
 // Kirchhoff with all of it at once: pane, net, plume, mirrors smooth and rough, directional paint,
 // hills and hazy air, one temperature.
 TEST_CASE("an isothermal enclosure with plume, net and mirrors looks black",
-          "[render][hops][furnace][by_degenerate]") {
+          "[render][secondary][furnace][by_degenerate]") {
     const double kelvins = GENERATE(220.0, 300.0, 345.0);
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
@@ -163,7 +163,7 @@ TEST_CASE("an isothermal enclosure with plume, net and mirrors looks black",
     CHECK(worst < 1e-6);
 }
 
-TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
+TEST_CASE("secondary rays agree with the sum over wavelengths", "[render][secondary]") {
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
     SecondaryStage stage;
@@ -200,7 +200,8 @@ TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
 // f = (1 + cos φ sinθ sinθ') / 10, as a table every 5° and 15°: its mean over the lights is π / 10
 // at every angle, so that a diffuse wall of the same reflectance differs from it by f / 0.1 in the
 // sun.
-TEST_CASE("a measured BRDF sends the eye its own share of the sun", "[render][hops]") {
+TEST_CASE("a measured BRDF reflects the sun to the camera by its own value",
+          "[render][secondary]") {
     MeasuredBrdf table;
     for (double a = 0.0; a <= 90.0; a += 5.0) table.first.push_back(a);
     table.second = table.first;
@@ -237,7 +238,8 @@ TEST_CASE("a measured BRDF sends the eye its own share of the sun", "[render][ho
 // An upright perfect mirror leaves the air, the same everywhere at a height, as it is: what it
 // shows to the north is what is seen without it, the light's way being as long and as thick. The
 // sun stands in the east, in the mirror's plane.
-TEST_CASE("a perfect mirror across the line of sight changes nothing", "[render][hops][joined]") {
+TEST_CASE("a perfect mirror across the line of sight changes nothing",
+          "[render][secondary][joined]") {
     const Band band = GENERATE(
         flat_band("0.7-1.0", 0.7, 1.0, bin_edges_um()), flat_band("3-5", 3.0, 5.0, bin_edges_um()),
         flat_band("4.5-5", 4.5, 5.0, bin_edges_um()), flat_band("8-12", 8.0, 12.0, bin_edges_um()));
@@ -282,7 +284,7 @@ TEST_CASE("a perfect mirror across the line of sight changes nothing", "[render]
 
 // Each sample's secondary rays by themselves against the same samples merged: a pane, a rough
 // mirror and smoke before a wall and sky, seen at a slant.
-TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][merge]") {
+TEST_CASE("samples that met the same are stored once, to 2 mK", "[render][secondary][merge]") {
     SecondaryStage stage;
     stage.air =
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
@@ -351,7 +353,8 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     CHECK(3 * merged.secondary.size() < apart.secondary.size());
 }
 
-TEST_CASE("hops are the same for any number of threads", "[render][hops][by_replication]") {
+TEST_CASE("secondary rays are the same for any number of threads",
+          "[render][secondary][by_replication]") {
     SecondaryStage stage;
     stage.wall(60.0, 20.0, metal(0.5, 0.3), 320.0f);
     stage.wall(30.0, 5.0, pane(0.1, 0.6), 290.0f);

@@ -51,7 +51,7 @@ struct Edge {
 
 // Behind a pane of transmittance 0.7 an edge of 40 K is one of 28 K; the edge's pixels are given by
 // area: here by 4096 samples.
-TEST_CASE("samples behind panes go where they are needed", "[render][hops][adaptive]") {
+TEST_CASE("samples behind panes go where they are needed", "[render][secondary][adaptive]") {
     const Edge edge;
     Appearance look{.facet = edge.stage.temperature, .sky = 250.0f};
     const SecondarySampling sampling{{.from = 16, .to = 1024, .tolerance = 0.3}, {&look, 1}};
@@ -73,7 +73,7 @@ TEST_CASE("samples behind panes go where they are needed", "[render][hops][adapt
 
 // 16 values of 290 and 330 K alike: σ² = 426.7 K²; n = (426.7 / 0.5²)^2/3 = 143, the next doubling
 // 256.
-TEST_CASE("a pixel wants as many samples as its spread needs", "[render][hops][adaptive]") {
+TEST_CASE("a pixel gets as many samples as its spread needs", "[render][secondary][adaptive]") {
     std::vector<double> values;
     for (int s = 0; s < 16; ++s) values.push_back(s % 2 == 0 ? 290.0 : 330.0);
     Appearance look;
@@ -85,7 +85,7 @@ TEST_CASE("a pixel wants as many samples as its spread needs", "[render][hops][a
 
 // A mirror in the lower half of a pixel is met by half of the samples. Its lobe must be sampled as
 // wholly as where it fills the pixel, whatever the seed.
-TEST_CASE("a rough mirror that fills half a pixel has its whole lobe", "[render][hops]") {
+TEST_CASE("a rough mirror that fills half a pixel has its whole lobe", "[render][secondary]") {
     const bool upright = GENERATE(true, false);
     SecondaryStage stage;
     // Behind the eye a warm and a cold half, which meet aside or above where the mirror, turned by

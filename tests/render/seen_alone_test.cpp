@@ -39,7 +39,7 @@ TEST_CASE("every pixel of a picture that an object fills is counted") {
     CHECK(std::abs(seen.inside + seen.outside - (all)) <= 0.002 * all);
 }
 
-TEST_CASE("a box across a panorama's seam goes all the way round") {
+TEST_CASE("a box across a panorama's seam spans the whole width") {
     Observer observer;
     observer.projection = Projection::panorama;
     observer.horizontal_fov_deg = 360.0;

@@ -148,7 +148,7 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
     }
 }
 
-// In 0.4-0.7 µm, where a kelvin is worth 1 % of radiance, twice reflected sunlight is 2.6 mK off:
+// In 0.4-0.7 µm, where a kelvin is 1 % of radiance, twice reflected sunlight is 2.6 mK off:
 // more than the 2 mK of the other bands, within the 5 mK asked of all. With light that the air
 // scatters, on surfaces and before them, it is within 0.1 % of radiance.
 TEST_CASE("from visible to thermal, the library's materials are within 5 mK of the reference",

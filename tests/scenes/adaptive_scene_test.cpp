@@ -47,7 +47,7 @@ double rms(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-TEST_CASE("a scene asks for adaptive sampling", "[scenes][adaptive]") {
+TEST_CASE("a scene requests adaptive sampling", "[scenes][adaptive]") {
     const SampledScene scene("adaptive = { from = 8, to = 64, tolerance_K = 0.05 }");
     REQUIRE(scene.mistake().empty());
     const auto adaptive = read_scene(scene.file).observers[0].adaptive;
@@ -64,7 +64,7 @@ TEST_CASE("a scene asks for adaptive sampling", "[scenes][adaptive]") {
                Catch::Contains("observer[0].samples"));
 }
 
-TEST_CASE("a job samples as its tolerance asks", "[scenes][adaptive]") {
+TEST_CASE("a job samples as its tolerance requires", "[scenes][adaptive]") {
     const Frame truth = SampledScene("samples = 900").picture();
     const double rough = rms(SampledScene("adaptive = { from = 16, to = 16 }").picture(), truth);
     const double fine = rms(

@@ -55,7 +55,7 @@ TEST_CASE("light at many moments from light at few is what the air itself sends"
     }
 }
 
-TEST_CASE("no light where the sun is down, and none that was not wanted",
+TEST_CASE("no light with the sun below the horizon, and only the requested light",
           "[scenes][air][light][by_degenerate]") {
     const std::vector<AirMoment> night = {{{280.0, 1e5, 800.0}, {0.0, -5.0, 1.0}}};
     const AirLight light([](const AirState& air) { return air_of(air, 23.0); }, 0.2, night,

@@ -248,7 +248,7 @@ void check_apron(const SeasonRun& flight) {
     // What is left of the difference once it is in the open: one that reached deep would fade as
     // that of a half-space under film and emission; that of a morning is shallower and fades
     // faster, but not within half an hour to a tenth.
-    // In July the morning's sun is worth more than the night's shelter; in January they nearly
+    // In July the morning's sun has more effect than the night's shelter; in January they nearly
     // cancel, and what is left of their sum has no such law.
     constexpr double effusivity = 1743.0;  // the library's concrete
     if (flight.season.declination_deg > 0.0) {

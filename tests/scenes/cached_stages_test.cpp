@@ -69,7 +69,7 @@ using Stages = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("what a change does not touch is taken, and the results are those of a fresh run",
-          "[scenes][kept]") {
+          "[scenes][cache]") {
     const Place place;
     CHECK(place.run("first", {}) == Stages{});
     CHECK(place.run("again", {}) == Stages{"sky", "heat"});
@@ -105,7 +105,7 @@ TEST_CASE("what a change does not touch is taken, and the results are those of a
     CHECK(place.alike("steps", steps));
 }
 
-TEST_CASE("tolerance_K makes heat the pictures' own", "[scenes][kept]") {
+TEST_CASE("tolerance_K makes heat the pictures' own", "[scenes][cache]") {
     const Place place;
     const std::vector<std::string> near{"tolerance_K=0.1"},
         other{"tolerance_K=0.1", "observer.0.height_above_ground_m=460.0"};
@@ -116,7 +116,7 @@ TEST_CASE("tolerance_K makes heat the pictures' own", "[scenes][kept]") {
     CHECK(place.alike("other", other));
 }
 
-TEST_CASE("a file of the store that is not what was kept is passed over", "[scenes][kept]") {
+TEST_CASE("a changed file of the cache is skipped", "[scenes][cache]") {
     const Place place;
     place.run("first", {});
     int files = 0;
@@ -133,7 +133,7 @@ TEST_CASE("a file of the store that is not what was kept is passed over", "[scen
     CHECK(place.run("third", {}) == Stages{"sky", "heat"});
 }
 
-TEST_CASE("a store keeps within its room, what was asked for last stays", "[scenes][kept]") {
+TEST_CASE("a cache keeps within its size, what was used last remains", "[scenes][cache]") {
     const ScratchFolder folder("kept_stages");
     const StageStore store(folder.path / "kept", {.least_seconds = 0.0, .most_bytes = 4000});
     const std::string content(900, 'x');

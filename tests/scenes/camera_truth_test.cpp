@@ -62,7 +62,7 @@ TEST_CASE("worldToNDC leads from a place to the pixel that shows it", "[scenes][
           Approx(2.0 * std::tan(0.5 * field_deg * std::numbers::pi / 180.0)).epsilon(1e-6));
 }
 
-TEST_CASE("labels and manifest carry camera, sun, air and what numbers stand for",
+TEST_CASE("labels and manifest contain camera, sun, air and the meaning of numbers",
           "[scenes][camera]") {
     const Json& image = yard().coco["images"][0];
     // The quaternion turns the camera's forward to where it looks, 18 degrees down to the north,

@@ -183,7 +183,7 @@ TEST_CASE("a run that does not converge keeps its results, says so and fails", "
     const Ran ran = diurna("run --progress none " + place);
     CAPTURE(ran.out);
     CHECK(ran.code == 1);
-    std::size_t reported = 0;  // what is modelled, and what the start is worth
+    std::size_t reported = 0;  // what is modelled, and the effect of the start
     for (std::size_t at = 0; (at = ran.out.find("note: ", at)) != std::string::npos; ++at)
         ++reported;
     CHECK(reported >= 2);
@@ -228,7 +228,7 @@ TEST_CASE("a column that does not converge keeps its results, says so and fails"
     CHECK(lines(contents(folder.path).at("out.csv")) == 49 + 1);  // its header
 }
 
-TEST_CASE("a calibration writes its four files, the same bytes again, or none", "[command_line]") {
+TEST_CASE("a calibration writes its four files with the same bytes, or no file", "[command_line]") {
     const ScratchFolder folder("calibration");
     const std::string weather = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv",
                       file = (folder.path / "column.toml").string();

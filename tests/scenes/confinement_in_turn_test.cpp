@@ -88,7 +88,7 @@ TEST_CASE("a glTF names no file beyond the scene's folder", "[confinement][mesh_
     CHECK(run_diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
 }
 
-TEST_CASE("what stands beside a raster leads to no file beyond the scene's folder",
+TEST_CASE("files beside a raster lead to no file outside the scene's folder",
           "[confinement][dem]") {
     const Place place;
     const fs::path beside = place.outside / "beside";

@@ -210,7 +210,7 @@ TEST_CASE("contrast at another range is that of the same bodies behind the air t
     }
 }
 
-TEST_CASE("contrast tables are checked where they stand", "[scenes][contrast]") {
+TEST_CASE("contrast tables are checked, with their place", "[scenes][contrast]") {
     const ScratchFolder folder("contrast_mistakes");
     const auto one = [&](const std::string& keys, const std::string& reported) {
         lay(folder, plates("\n[[contrast]]\n" + keys));

@@ -65,7 +65,7 @@ TEST_CASE("the ground of many copies is made fine once", "[scenes][copies]") {
     CHECK(same == Approx(plain).epsilon(1e-5));
 }
 
-TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mistakes]") {
+TEST_CASE("what copies cannot have is refused in one line", "[scenes][copies][mistakes]") {
     const ScratchFolder folder("copies_mistakes");
     const auto reported = [&](const std::string& keys) {
         const std::string all =
@@ -123,7 +123,7 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
 }
 
 // Edges of 0.5 m that reach into each other are reported; things that touch are not.
-TEST_CASE("copies that stand in one another are told", "[scenes][copies]") {
+TEST_CASE("copies that overlap are reported", "[scenes][copies]") {
     const ScratchFolder folder("copies_overlap");
     const auto noted = [&](const std::string& places) {
         const Prepared built = prepare(read_scene(

@@ -221,7 +221,8 @@ TEST_CASE("copies of their own each are the objects built out", "[scenes][copies
     CHECK(own.result.temperature.interpolate(noon) == each.result.temperature.interpolate(noon));
 }
 
-TEST_CASE("what a roof over a copy is worth is as by hand", "[scenes][copies][by_comparison]") {
+TEST_CASE("a roof over a copy changes temperatures as computed by hand",
+          "[scenes][copies][by_comparison]") {
     const ScratchFolder folder("copies_roof");
     const auto slab = [](double half, double thick) {
         std::string text;

@@ -60,7 +60,7 @@ TEST_CASE("two sinusoids cross where their difference, a third, is zero",
     }
 }
 
-TEST_CASE("what touches, dips through between two times, or stays away is told apart",
+TEST_CASE("touching, crossing twice between two times and staying apart are distinguished",
           "[crossings]") {
     // Its least is `gap` at 12:03, between two of the times.
     const auto dip = [](double gap) {
@@ -84,7 +84,7 @@ TEST_CASE("what touches, dips through between two times, or stays away is told a
     CHECK(found_in([](double) { return 0.0; }, search).empty());  // the same all the time
 }
 
-TEST_CASE("a jump is told as one", "[crossings]") {
+TEST_CASE("a jump is reported as one", "[crossings]") {
     const auto step = [](double t) { return t < 30123.4 ? -2.0 : 1.0; };
     const std::vector<ZeroCrossing> found =
         found_in(step, {.width = 0.5, .touching = 0.1, .jumping = 0.05});

@@ -135,7 +135,7 @@ refined = false
     CHECK(answer.report[1].second_pixels == 4 * 32);
 }
 
-TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossover]") {
+TEST_CASE("tables of crossovers are checked, with their place", "[scenes][crossover]") {
     const auto one = [](const std::string& keys, const std::string& reported) {
         const std::vector<Mistake> mistakes = mistakes_of("\n[[crossover]]\n" + keys);
         REQUIRE(mistakes.size() == 1);

@@ -209,7 +209,7 @@ TEST_CASE("what only the detail shows casts its shadow and hides its sky", "[sce
     CHECK(visibility_key(other) != marked);
 }
 
-TEST_CASE("what stands on a detail stands at its heights", "[scenes][detail]") {
+TEST_CASE("objects on a detail are placed at its heights", "[scenes][detail]") {
     const Place place;
     const Eigen::Vector2d on = local(140.0, 50.0), crest = local(wall_column, 70.0);
     const std::string more = fmt::format(
@@ -231,7 +231,7 @@ TEST_CASE("what stands on a detail stands at its heights", "[scenes][detail]") {
     CHECK(foot == Approx(platform).margin(0.01));
 }
 
-TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stress]") {
+TEST_CASE("a detail's faults are reported in one line each", "[scenes][detail][stress]") {
     const Place place;
     Dem fine = fine_raster();
     fine.height[7000] = std::nanf("");

@@ -76,7 +76,7 @@ TEST_CASE("the effect of x1 in x1 x2 is x2: mean 1/2, deviation that of the leve
     }
 }
 
-TEST_CASE("Sobol's g function: effects of both signs, whose mean hides what mu* tells",
+TEST_CASE("Sobol's g function: effects of both signs, whose mean hides what mu* shows",
           "[scenes][sensitivity][by_variation][by_comparison]") {
     // g = prod (|4 x - 2| + a) / (1 + a), a as in Campolongo et al. 2007. On four levels |4 x - 2|
     // is 2, 2/3, 2/3, 2, and every step of 2/3 goes from one to the other: worked out by hand,
@@ -102,7 +102,7 @@ TEST_CASE("Sobol's g function: effects of both signs, whose mean hides what mu* 
     }
 }
 
-TEST_CASE("a point without a result is left out and counted", "[scenes][sensitivity]") {
+TEST_CASE("a point without a result is skipped and counted", "[scenes][sensitivity]") {
     const MorrisDesign design = morris_design(2, 3, 4, 1);
     std::vector<double> result;
     for (const std::vector<double>& x : design.point) result.push_back(4.0 * x[0]);

@@ -10,7 +10,7 @@
 #include "tests/support/independent_reader.hpp"
 #include "tests/support/small_scene.hpp"
 
-// What `diurna export` leaves, read by programs that are not ours.
+// What `diurna export` leaves, read by third-party programs.
 
 namespace {
 

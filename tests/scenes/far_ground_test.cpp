@@ -46,7 +46,7 @@ TEST_CASE("the outline of a raster is its four sides, its ground what most of th
     CHECK(border->height == Approx(500.0).margin(0.1));
 }
 
-TEST_CASE("a picture goes on beyond the raster as warm as its ground", "[scenes][beyond]") {
+TEST_CASE("a picture continues beyond the raster as warm as its ground", "[scenes][beyond]") {
     const ScratchFolder folder("beyond");
     Stepper scene(read_scene(written(folder.path, plane(0.0, 0.0), "", looking_east(-20.0))));
     const Observer eye = scene.observer("eye");

@@ -55,7 +55,7 @@ TEST_CASE("a day of frost and thaw repeats on every facet", "[scenes][frost][by_
     CHECK(result.report.worst_energy_closure < 1e-8);
 }
 
-TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
+TEST_CASE("the plan includes the cost of freezing ground", "[scenes][frost]") {
     const auto heat_of = [](const Plan& plan) {
         double seconds = 0.0;
         for (const auto& stage : plan.stages) {

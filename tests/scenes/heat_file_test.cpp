@@ -198,7 +198,7 @@ TEST_CASE("ground without a flux from below takes nothing over a day that repeat
     }
 }
 
-TEST_CASE("materials, objects and clocks can be told from the file", "[scenes][heat]") {
+TEST_CASE("materials, objects and clocks can be read from the file", "[scenes][heat]") {
     const ScratchFolder folder("heat-names");
     solve_to(small_scene(), folder);
     const NetCdf file(folder.path / "temperatures.nc");

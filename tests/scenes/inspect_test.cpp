@@ -7,7 +7,7 @@
 #include "tests/support/independent_reader.hpp"
 #include "tests/support/small_scene.hpp"
 
-// What `diurna inspect` says of files, beside what programs that are not ours find in them.
+// What `diurna inspect` says of files, beside what third-party programs find in them.
 
 namespace {
 
@@ -19,7 +19,7 @@ Ran inspected(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("others find in files what inspect tells of them", "[scenes][inspect]") {
+TEST_CASE("other readers find in files what inspect prints", "[scenes][inspect]") {
     if (!independent_readers()) return;
     const ScratchFolder folder("inspect");
     write_text(folder.path / "scene.toml", small_scene());
@@ -34,7 +34,7 @@ TEST_CASE("others find in files what inspect tells of them", "[scenes][inspect]"
     CHECK(read.code == 0);
 }
 
-TEST_CASE("inspect tells texts apart and what to call next", "[scenes][inspect]") {
+TEST_CASE("inspect distinguishes text files and suggests the next command", "[scenes][inspect]") {
     const ScratchFolder folder("inspect_texts");
     for (const auto& [name, text] : std::map<std::string, std::string>{
              {"yolo.txt", "0 0.5 0.5 0.25 0.125\n1 0.1 0.2 0.3 0.4\n"},

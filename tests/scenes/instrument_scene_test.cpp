@@ -143,7 +143,7 @@ TEST_CASE("an instrument's frame alone is its frame in the sequence", "[scenes][
     CHECK(counts({"frames=12:00..12:00"}, "one", 1) == in_sequence);
 }
 
-TEST_CASE("one table [instrument] will do, and what is wrong with one is told in a line",
+TEST_CASE("one table [instrument] is sufficient, errors in it are reported in a line",
           "[scenes][instrument]") {
     const std::string one = with(small_scene(), "bands = [\"3-5\", \"8-12\"]", "bands = [\"3-5\"]");
     CHECK(mistakes_of(one + "[instrument]\npreset = \"cooled_mwir\"\n").empty());
@@ -181,7 +181,7 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
               .find("pinhole") != std::string::npos);
 }
 
-TEST_CASE("settings that contradict each other are told before anything is computed",
+TEST_CASE("settings that contradict each other are refused before anything is computed",
           "[scenes][instrument]") {
     const ScratchFolder folder("instrument_contradiction");
     const auto reported = [&](const std::string& text) -> std::string {
@@ -207,7 +207,7 @@ TEST_CASE("settings that contradict each other are told before anything is compu
               .find("cannot be corrected") != std::string::npos);
 }
 
-TEST_CASE("a bolometer goes on from the picture before", "[scenes][instrument]") {
+TEST_CASE("a bolometer continues from the picture before", "[scenes][instrument]") {
     const ScratchFolder folder("instrument_lag");
     const std::string text =
         with(small_scene(), "frame_every_s = 21600.0",
@@ -226,7 +226,7 @@ TEST_CASE("a bolometer goes on from the picture before", "[scenes][instrument]")
     CHECK(std::abs(mean) < 1e-3 * double(first["signal.8-12"].pixel[0]));
 }
 
-TEST_CASE("a plan tells what an instrument costs and leaves out", "[scenes][instrument]") {
+TEST_CASE("a plan lists what an instrument costs and omits", "[scenes][instrument]") {
     const ScratchFolder folder("instrument_plan");
     const Prepared without = prepare(read(folder, small_scene()));
     const Scene scene = read(folder, small_scene() + mwir);

@@ -216,7 +216,7 @@ TEST_CASE("what a jet does not reach is as it was to the last bit", "[scenes][je
     CHECK(warmed > 20);
 }
 
-TEST_CASE("a jet warms the ground unless something is in its way", "[scenes][jet]") {
+TEST_CASE("a jet warms the ground unless something blocks it", "[scenes][jet]") {
     const std::string downward =
         "outlet = [2.0, 0.0, -1.0]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nflow_kg_s = "
         "0.12\ntemperature_K = 600.0\n";
@@ -336,7 +336,7 @@ TEST_CASE("a jet as warm as a lump, and one that has less than it would give", "
     CHECK(shut.notes().find("is blocked at its outlet") != std::string::npos);
 }
 
-TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
+TEST_CASE("mistakes of a jet are reported", "[scenes][jet]") {
     const auto reported = [](const std::string& keys) {
         const ScratchFolder folder("jet");
         std::string all;
@@ -381,7 +381,7 @@ TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
     CHECK(std::count(slow.begin(), slow.end(), '\n') == 1);
 }
 
-TEST_CASE("a jet whose hours lie outside the span is told", "[scenes][jet]") {
+TEST_CASE("a jet whose hours lie outside the span is reported", "[scenes][jet]") {
     const Blown never =
         blown(slab(), jet(std::string(from_above) + "hours = [\"2026-09-01 06:00-07:00\"]\n"));
     CHECK(never.notes().find("no hour of the jet \"exhaust\" of \"sheet\" is within the span") !=

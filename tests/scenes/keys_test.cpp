@@ -132,7 +132,7 @@ TEST_CASE("every key says in one line what it means", "[scenes][keys]") {
     }
 }
 
-TEST_CASE("the page tells type, unit, default, range and on what a key depends", "[scenes][keys]") {
+TEST_CASE("the page lists type, unit, default, range and dependencies of a key", "[scenes][keys]") {
     const KeyEntry& width = entry(book().scene, "building[].width_m");
     CHECK(width.kind == Key::Kind::number);
     CHECK(width.need == KeyEntry::Need::always);
@@ -159,10 +159,10 @@ TEST_CASE("the page tells type, unit, default, range and on what a key depends",
     CHECK(unit_of("leaf_area").empty());
 }
 
-TEST_CASE("no reader asks for a key that the page does not have", "[scenes][keys]") {
+TEST_CASE("no reader reads a key that the page does not have", "[scenes][keys]") {
     // keys_of_page.hpp holds every document against the page.
     for (const fs::path& file : samples("scene.toml")) {
-        // Measured weather is made by a script of the scene's, from a file that is not ours.
+        // Measured weather is made by a script of the scene's, from a third-party file.
         std::vector<std::string> in_its_place;
         if (!fs::exists(file.parent_path() / "weather.csv")) {
             in_its_place = {"weather.file=\"../jacksboro/weather.csv\""};

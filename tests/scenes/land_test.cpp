@@ -80,7 +80,7 @@ std::string shapes_table(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("the full grid is the ground where it is asked for or fits", "[scenes][land][grid]") {
+TEST_CASE("the full grid is the ground where it is requested or fits", "[scenes][land][grid]") {
     const Built network = built(small_scene());
     const Built grid = built(with_terrain("mesh = \"grid\""));
     const Built fits = built(with_terrain("mesh = \"auto\""));
@@ -196,7 +196,7 @@ TEST_CASE("GeoJSON, Shapefile and GeoPackage give the same ground", "[scenes][la
     }
 }
 
-TEST_CASE("what is left out of a file of buildings is told", "[scenes][land][buildings]") {
+TEST_CASE("what is skipped in a file of buildings is reported", "[scenes][land][buildings]") {
     const auto feature = [](const char* height, double east, const std::string& ring = "") {
         const auto corner = [&](double x, double y) {
             return fmt::format("[{:.6f},{:.6f}]", -84.2033 + east + x, 36.3200 + y);

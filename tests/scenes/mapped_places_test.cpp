@@ -84,7 +84,7 @@ constexpr double latitude = 36.335, longitude = -84.180;  // 2.7 km from the sit
 
 }  // namespace
 
-TEST_CASE("an eye stands over its latitude and longitude", "[scenes][places][by_comparison]") {
+TEST_CASE("an observer is above its latitude and longitude", "[scenes][places][by_comparison]") {
     const std::string at = "place = [36.335, -84.180]\nlook_at_place = [36.32, -84.203333]\n";
     const Prepared low = prepared(scene_with(eye(at + "height_above_ground_m = 1.0\n")));
     const Prepared high = prepared(scene_with(eye(at + "height_above_ground_m = 3000.0\n")));
@@ -130,7 +130,8 @@ TEST_CASE("a map's coordinates and latitude and longitude are one place",
     CHECK((prepared(both).sequences[0].at(0).position - plain).norm() < 1e-6);
 }
 
-TEST_CASE("ground, buildings, objects and ways have mapped places, too", "[scenes][places]") {
+TEST_CASE("ground, buildings, objects and trajectories have mapped places, too",
+          "[scenes][places]") {
     const std::string things = R"([[ground]]
 name = "pad"
 material = "concrete"
@@ -258,7 +259,7 @@ height_above_sea_m = 600.0
                    Catch::Contains("outside") && Catch::Contains("height_above_sea_m"));
 }
 
-TEST_CASE("places that are none, or not what they seem, are told", "[scenes][places][input]") {
+TEST_CASE("invalid and implausible places are reported", "[scenes][places][input]") {
     const std::string height = "height_above_ground_m = 40.0\nlook_at_m = [0.0, 0.0]\n";
     const auto reported = [&](const std::string& keys) {
         return mistakes_of(scene_with(eye(keys + height)));

@@ -60,7 +60,7 @@ TEST_CASE("the figures of a material are what its numbers make", "[scenes][mater
     CHECK(brick.emissivity == Approx(library()[library().find("brick")].thermal.emissivity));
 }
 
-TEST_CASE("diurna materials tells one with its sources, and the nearest of a wrong name",
+TEST_CASE("diurna materials prints one with its sources, and the nearest of a wrong name",
           "[scenes][materials]") {
     const Ran brown = diurna_says("materials brown_paint");
     CHECK(brown.code == 0);

@@ -10,7 +10,7 @@
 
 using namespace diurna;
 
-TEST_CASE("a limit of memory is told in M, G or T", "[scenes][plan]") {
+TEST_CASE("a limit of memory is given in M, G or T", "[scenes][plan]") {
     CHECK(bytes_reported("800M") == 8e8);
     CHECK(bytes_reported("6.5G") == 6.5e9);
     CHECK(bytes_reported("2T") == 2e12);

@@ -15,9 +15,9 @@
 using namespace diurna::testing;
 
 // What people write by mistake, and what the program answers: one line that names the place and
-// what mends it. The page tests/scenes/mistakes.md is made of these answers:
+// a remedy. The page tests/scenes/mistakes.md is made of these answers:
 //
-//     DIURNA_WRITE_PAGES=1 build/release/mistakes_test
+//     DIURNA_WRITE_PAGES=1 build/release/scenes_tests "each mistake gets*"
 
 namespace {
 
@@ -124,7 +124,7 @@ TEST_CASE("a scene without a mistake is fine", "[scenes][mistakes]") {
     CHECK(whole.out.find("scene.toml: no warnings, ") != std::string::npos);
 }
 
-TEST_CASE("each mistake gets one line, with its place and what mends it", "[scenes][mistakes]") {
+TEST_CASE("each mistake gets one line, with its place and a remedy", "[scenes][mistakes]") {
     REQUIRE(answers().size() >= 60);
     auto next = answers().begin();
     for (const Group& group : all_mistakes()) {

@@ -113,7 +113,7 @@ TEST_CASE("a scene says what a model is painted with and when it runs", "[scenes
     for (const PartInput& part : b.target.part) CHECK(part.watts_m2 == 0.0);
 }
 
-TEST_CASE("what does not go with a model is told", "[scenes][models]") {
+TEST_CASE("what a model cannot be combined with is reported", "[scenes][models]") {
     const ScratchFolder folder("models");
     const auto reported = [&](const std::string& more, const std::string& model = "truck") {
         return mistakes_of(scene_with(folder.path, object_of("a", model, 0.0, more)));

@@ -78,10 +78,11 @@ times_s = [0.0, 36000.0, 36060.0]
 
 }  // namespace
 
-TEST_CASE("a way that stays where it is changes nothing", "[scenes][mover][by_degenerate]") {
+TEST_CASE("a trajectory that stays in one place changes nothing",
+          "[scenes][mover][by_degenerate]") {
     const Solved stands = solved("place_m = [-50.0, -50.0]\nheading_deg = 90.0\n");
-    // It goes a way of 2 cm at ten: what is solved anew from there on is what it was, but for what
-    // the rays of facets near the crate find, and a start whose day repeats without its trend.
+    // It goes a way of 2 cm at ten: what is solved again from there on is what it was, except for
+    // what the rays of facets near the crate find, and a start whose day repeats without its trend.
     const Solved goes =
         solved(with(from_west_to_east, "[10.0, -50.0, 0.0]", "[-49.98, -50.0, 0.0]"));
     REQUIRE(goes.prepared.movement.stage.size() == 2);
@@ -166,7 +167,7 @@ TEST_CASE("what drives off leaves its scar and its shadow comes along", "[scenes
     CHECK(top(goes) == Approx(top(east)).margin(0.3));
 }
 
-TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]") {
+TEST_CASE("a picture shows an object where its trajectory has led it", "[scenes][mover]") {
     const ScratchFolder folder("mover_frames");
     write_text(folder.path / "crate.obj", crate_mesh);
     const std::string text = with(scene_with(from_west_to_east), "look_at_m = [0.0, 0.0]",
@@ -206,7 +207,8 @@ TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]
     CHECK(format_instant(prepared.movement.stage[1]) == "2026-07-15T14:00:00Z");
 }
 
-TEST_CASE("what departs at the span's start has a past where it stood", "[scenes][mover]") {
+TEST_CASE("an object that departs at the span's start was at that place before",
+          "[scenes][mover]") {
     const ScratchFolder folder("mover_start");
     write_text(folder.path / "crate.obj", crate_mesh);
     const std::string leaves = with(from_west_to_east, "36000.0, 36060.0", "1.0, 61.0");
@@ -219,7 +221,7 @@ TEST_CASE("what departs at the span's start has a past where it stood", "[scenes
     CHECK(movement.stage_of(movement.stage[1]) == 1);  // there it has arrived
 }
 
-TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]") {
+TEST_CASE("a day divided during a move continues as the undivided one", "[scenes][mover]") {
     const ScratchFolder folder("mover_state");
     write_text(folder.path / "crate.obj", crate_mesh);
     const auto run = [&](const std::string& name, const std::string& time) {
@@ -256,8 +258,9 @@ TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]"
                       Catch::Contains("spin_up") && Catch::Contains("steady"));
 }
 
-TEST_CASE("an open shutter smears what goes, or what stands where the camera turns after it",
-          "[scenes][mover][motion]") {
+TEST_CASE(
+    "an open shutter smears a moving object, or one at rest if the camera follows the moving one",
+    "[scenes][mover][motion]") {
     const ScratchFolder folder("mover_blur");
     write_text(folder.path / "crate.obj", crate_mesh);
     // 1 m/s to the east under a camera that looks straight down, 0.1 m a pixel, for a second.
@@ -310,7 +313,7 @@ TEST_CASE("an open shutter smears what goes, or what stands where the camera tur
     CHECK(partly <= 4);
 }
 
-TEST_CASE("what an object that goes cannot have is told", "[scenes][mover][input]") {
+TEST_CASE("what a moving object cannot have is refused", "[scenes][mover][input]") {
     for (const std::string key : {"place_m = [0.0, 0.0]", "heading_deg = 10.0",
                                   "height_above_ground_m = 1.0", "airspeed_m_s = 20.0"}) {
         CHECK_THROWS_WITH(solved(key + "\n" + from_west_to_east),

@@ -93,8 +93,7 @@ TEST_CASE("a movie's pictures come in order on one scale", "[scenes][movie]") {
     CHECK((picture[0] != picture[1]));
 }
 
-TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
-          "[scenes][movie]") {
+TEST_CASE("without ffmpeg, or where it fails, there is an error and no movie", "[scenes][movie]") {
     const RunFolder folder;
     Ran ran = movie(folder.bin, true, folder.argument());
     CHECK(ran.code == 1);
@@ -165,7 +164,7 @@ TEST_CASE("a movie whose name ends in .gif is one", "[scenes][movie]") {
     CHECK(read_text(made) == gif);
 }
 
-TEST_CASE("a movie of several observers asks which", "[scenes][movie]") {
+TEST_CASE("a movie of several observers requires a choice", "[scenes][movie]") {
     const RunFolder folder;
     folder.ffmpeg("cat > \"$last\"");
     fs::copy(folder.run / "frames/east_8-12_20260710T000000Z.exr",

@@ -56,7 +56,7 @@ double farthest_apart(const Prepared& prepared, const Stages& stages, const Span
 
 // The same scene with every facet solved is the truth here: what is skipped is asked, not what is
 // computed.
-TEST_CASE("facets that no picture needs are left out within the tolerance",
+TEST_CASE("facets that no picture needs are skipped within the tolerance",
           "[scenes][needed][by_variation]") {
     const ScratchFolder folder("needed");
     const Prepared prepared = prepare(valley(folder));
@@ -76,14 +76,14 @@ TEST_CASE("facets that no picture needs are left out within the tolerance",
     CHECK(needed.probe.size() > 30);
 
     const double worst = farthest_apart(prepared, stages, whole, part, folder.path);
-    // What probes foretell is a bound: all that is stood for amiss to the same side.
+    // The probes predict a bound: all represented facets wrong in the same direction.
     const double foretold = probed_difference(needed, part.temperature) * needed.weight;
     CAPTURE(worst, foretold);
     CHECK(worst < tolerance);
     CHECK(worst < 1.5 * foretold + 1e-3);
 }
 
-TEST_CASE("a scene whose state is kept is solved whole", "[scenes][needed]") {
+TEST_CASE("a scene whose state is stored is solved whole", "[scenes][needed]") {
     const ScratchFolder folder("needed_state");
     Scene scene = valley(folder);
     scene.output.state = true;

@@ -74,7 +74,7 @@ TEST_CASE("a name that others have laid a link under is not written through", "[
     CHECK(is_temporary_name(temporary_beside(link).filename().string()));
 }
 
-TEST_CASE("where a file cannot be whole, there is none and the code is 1", "[outputs]") {
+TEST_CASE("a file that cannot be written whole is absent and the code is 1", "[outputs]") {
     CHECK(code_of("'" DIURNA_BINARY
                   "' sun --latitude-deg 40 --longitude-deg 0 --time 2026-01-01T00:00:00Z "
                   "> /dev/full") == 1);

@@ -40,7 +40,7 @@ TEST_CASE("a corner that pierces a side is an overlap", "[scenes]") {
 }
 
 // One above the other, as on a shelf.
-TEST_CASE("what stands over another is clear of it", "[scenes]") {
+TEST_CASE("an object above another is clear of it", "[scenes]") {
     BodyBox above = box_at(0.0, 0.0);
     above.bottom = 3.0;
     above.top = 6.0;

@@ -101,8 +101,7 @@ TEST_CASE("path takes rain and a radiosonde's file", "[scenes][path]") {
     CHECK(run(level + " --rain-mm-h -1").code == 2);
 }
 
-TEST_CASE("MODTRAN named on the command line stands in for the embedded model",
-          "[scenes][path][run]") {
+TEST_CASE("MODTRAN named on the command line replaces the embedded model", "[scenes][path][run]") {
     const ScratchFolder folder("path-modtran");
     const std::filesystem::path stub = folder.path / "modtran";
     write_modtran_stub(stub);

@@ -183,7 +183,7 @@ TEST_CASE("a run's page says nothing to the console and fits a phone",
     }
 }
 
-TEST_CASE("a page's slider goes through the day, together with the others",
+TEST_CASE("a page's slider moves through the day, together with the others",
           "[scenes][report][browser]") {
     if (no_browser()) return;
     Browser browser;

@@ -94,7 +94,7 @@ int code_of(const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("what is kept of a run is what it has written, and no other", "[resume]") {
+TEST_CASE("of an earlier run only what it has written is reused", "[resume]") {
     const Place place;
     const fs::path out = place.folder.path / "out";
     place.run("out", false);

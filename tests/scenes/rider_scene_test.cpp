@@ -92,7 +92,7 @@ constexpr float carrier = 3.0f, other = 4.0f;  // ground, runway, hangar, and th
 
 }  // namespace
 
-TEST_CASE("one that rides sees another where it is and its own hood in one place",
+TEST_CASE("an attached observer sees other objects where they are and its own hood in one place",
           "[scenes][rider]") {
     const ScratchFolder folder("rider_pictures");
     write_text(folder.path / "crate.obj", crate_mesh);
@@ -141,7 +141,7 @@ TEST_CASE("one that rides sees another where it is and its own hood in one place
     }
 }
 
-TEST_CASE("an eye turns with what it rides on", "[scenes][rider]") {
+TEST_CASE("an observer turns with the object that it is attached to", "[scenes][rider]") {
     const std::string late = with(camera, "10:00:08-04:00", "10:00:20-04:00");
     const Prepared scene =
         prepared(two_go + "[[observer]]\nname = \"driver\"\non = \"carrier\"\n" +
@@ -167,7 +167,7 @@ TEST_CASE("an eye turns with what it rides on", "[scenes][rider]") {
     CHECK(chaser.elevation_deg == Approx(-std::atan2(above, 110.0) * 180.0 / M_PI).margin(1e-4));
 }
 
-TEST_CASE("an eye on what stands is placed in its frame", "[scenes][rider]") {
+TEST_CASE("an observer on an object at rest is placed in its frame", "[scenes][rider]") {
     const Prepared scene =
         prepared(a_crate("tower", "place_m = [-50.0, -60.0]\nheading_deg = 30.0") +
                  "[[observer]]\nname = \"guard\"\non = \"tower\"\nmount_m = [1.0, 2.5, 4.0]\n"
@@ -188,7 +188,8 @@ TEST_CASE("an eye on what stands is placed in its frame", "[scenes][rider]") {
     CHECK(guard.position.z() == Approx(double(lowest) + 4.0).margin(0.2));
 }
 
-TEST_CASE("an eye inside what goes is told, where it is and no longer", "[scenes][rider][input]") {
+TEST_CASE("an observer inside a moving object is reported, for the instants at which it is inside",
+          "[scenes][rider][input]") {
     const std::string ride =
         "[[observer]]\nname = \"driver\"\non = \"carrier\"\nmount_deg = "
         "[0.0, 0.0, 0.0]\n" +
@@ -217,7 +218,7 @@ start = 2026-07-15T10:00:00-04:00
                       Catch::Contains("inside \"truck\""));
 }
 
-TEST_CASE("what one that rides cannot have is told", "[scenes][rider][input]") {
+TEST_CASE("what an attached observer cannot have is refused", "[scenes][rider][input]") {
     const std::string ride =
         "[[observer]]\nname = \"driver\"\non = \"carrier\"\nmount_m = [0.0, 0.0, 3.0]\n"
         "mount_deg = [0.0, 0.0, 0.0]\n" +

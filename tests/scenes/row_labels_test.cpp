@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 // A crate that goes east at 5 m/s before a camera 60 m south of its way, whose rows are read 20 ms
 // apart: each row finds it 0.1 m further. By hand: a place at x, seen at a row r from the top, is
 // at column c + f (x + v r dt) / y.
-TEST_CASE("labels of what goes are where the rows find it", "[scenes][labels][rows]") {
+TEST_CASE("labels of moving objects are where the rows show them", "[scenes][labels][rows]") {
     const ScratchFolder folder("row_labels");
     for (const char* file : {"level.asc", "level.prj"}) {
         fs::copy_file(fs::path(DIURNA_SOURCE_DIR "/scenes/crossover") / file, folder.path / file);

@@ -64,7 +64,7 @@ TEST_CASE("a scene names bands by response file, range or word", "[scenes][bands
     CHECK_THROWS_AS(named_band(scene.bands, "camra"), InputError);
 }
 
-TEST_CASE("mistakes in bands and cubes are told", "[scenes][bands]") {
+TEST_CASE("mistakes in bands and cubes are reported", "[scenes][bands]") {
     const auto one = [](const std::string& from, const std::string& to) {
         const auto found = BandScene(with(scene_text(), from, to)).mistakes();
         CAPTURE(from, to);
@@ -112,7 +112,7 @@ TEST_CASE("a job writes its bands and cubes", "[scenes][bands]") {
     }
 }
 
-// Rows of the file end at 11 µm: beyond, its last row would stand for lines of the spectrum that
+// Rows of the file end at 11 µm: beyond, its last row would represent lines of the spectrum that
 // nobody has measured.
 TEST_CASE("a file of n and k that is short of a band is refused", "[scenes][bands]") {
     const auto mistakes = [](const std::string& law, double from, double to) {

@@ -83,7 +83,7 @@ TEST_CASE("the camera's air and the heat balance's are one at every height", "[s
     }
 }
 
-TEST_CASE("a sounding's inversion is the lapse where none is told", "[scenes][heights]") {
+TEST_CASE("a sounding's inversion is the lapse where none is given", "[scenes][heights]") {
     const std::string air = "[atmosphere]\nsounding = \"sonde.csv\"\n";
     const Read r(small_scene() + air, inversion);
     const AirByHeight rule = air_by_height(r.scene, r.weather);
@@ -99,7 +99,7 @@ TEST_CASE("a sounding's inversion is the lapse where none is told", "[scenes][he
                Catch::Contains("sounding"));
 }
 
-TEST_CASE("the weather's height is told, the file's, or the ground's at the site",
+TEST_CASE("the weather's height is given, the file's, or the ground's at the site",
           "[scenes][heights]") {
     CHECK(Read(small_scene()).weather.height == Approx(323.0));
     CHECK(Read(with_weather("height_m = 150.0\n")).weather.height == Approx(150.0));
@@ -110,8 +110,7 @@ TEST_CASE("the weather's height is told, the file's, or the ground's at the site
     CHECK_THAT(problem(with_weather("lapse = 400\n")), Catch::Contains("weather.lapse"));
 }
 
-TEST_CASE("a reader is told of heights, and of hollows that keep no cold air",
-          "[scenes][heights]") {
+TEST_CASE("notes report heights, and hollows without cold-air pools", "[scenes][heights]") {
     const auto note = [](const std::string& keys) {
         const Read r(with_weather(keys));
         return height_note(r.scene, r.world, r.weather);

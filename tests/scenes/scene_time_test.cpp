@@ -76,7 +76,7 @@ std::vector<std::string> frames_of(const std::string& keys) {
 
 }  // namespace
 
-TEST_CASE("a span goes over the leap day, if there is one", "[scenes][time]") {
+TEST_CASE("a span includes the leap day, if there is one", "[scenes][time]") {
     const auto hours = [](const std::string& from, const std::string& to) {
         return time_of("start = " + from + "\nend = " + to).duration / 3600.0;
     };
@@ -111,7 +111,7 @@ TEST_CASE("windows are of the scene's clock, whatever day it is in UTC", "[scene
     CHECK(time_of("start = 2026-07-15T00:00:00Z").utc_offset == 0.0);
 }
 
-TEST_CASE("where clocks change, the offset tells the instant", "[scenes][time]") {
+TEST_CASE("where clocks change, the offset determines the instant", "[scenes][time]") {
     // The hour from 1 to 2 of 1 November 2026 is twice on clocks in America, and two hours long.
     CHECK(frames_of("start = 2026-11-01T00:00:00-04:00\nend = 2026-11-02T00:00:00-05:00\n"
                     "frames = [\"2026-11-01T01:30:00-04:00\", \"2026-11-01T01:30:00-05:00\"]") ==

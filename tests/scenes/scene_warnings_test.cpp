@@ -59,7 +59,7 @@ bool reported(const std::vector<std::string>& lines, const std::string& one,
 
 }  // namespace
 
-TEST_CASE("sample scenes raise no doubt", "[scenes][warnings]") {
+TEST_CASE("sample scenes raise no warning", "[scenes][warnings]") {
     const std::string name =
         GENERATE("jacksboro", "approach", "camouflage", "crossover", "instruments");
     CAPTURE(name);
@@ -69,7 +69,8 @@ TEST_CASE("sample scenes raise no doubt", "[scenes][warnings]") {
     CHECK(lines.empty());
 }
 
-TEST_CASE("objects in one another, over and under the ground are doubted", "[scenes][warnings]") {
+TEST_CASE("objects that overlap, float or are below the ground raise warnings",
+          "[scenes][warnings]") {
     const std::string base = small_scene();
     SECTION("beside one another, touching, on top: fine") {
         CHECK(warnings_of(base + box("a", "place_m = [300.0, 900.0]") +
@@ -125,7 +126,7 @@ TEST_CASE("objects in one another, over and under the ground are doubted", "[sce
     }
 }
 
-TEST_CASE("cameras that look at nothing and places in degrees are doubted", "[scenes][warnings]") {
+TEST_CASE("cameras that see nothing and places in degrees raise warnings", "[scenes][warnings]") {
     const std::string base = small_scene();
     const auto eye = [](const std::string& rest) {
         return "[[observer]]\nname = \"eye\"\nwidth = 64\nheight = 48\n" + rest + "\n";
@@ -160,7 +161,7 @@ TEST_CASE("a schedule whose clock is not the sun's raises a warning", "[scenes][
     CHECK(warnings_of(small_scene()).empty());
 }
 
-TEST_CASE("check tells of doubts, and strictly refuses them", "[scenes][warnings]") {
+TEST_CASE("check prints warnings, and --strict makes them errors", "[scenes][warnings]") {
     const fs::path scene = folder().path / "scene.toml", reported_file = folder().path / "told.txt";
     write_text(scene, small_scene() + box("truck", "place_m = [53.0, -88.4]"));
     const auto verb = [&](const std::string& arguments) {
@@ -178,7 +179,7 @@ TEST_CASE("check tells of doubts, and strictly refuses them", "[scenes][warnings
     CHECK(read_text(out / "report.html").find("is inside &quot;hangar&quot;") != std::string::npos);
 }
 
-TEST_CASE("mistyped names are told with what mends them", "[scenes][warnings]") {
+TEST_CASE("mistyped names are reported with the nearest name", "[scenes][warnings]") {
     const auto refusal = [](const std::string& text) {
         try {
             scene_of(text);

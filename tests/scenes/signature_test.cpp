@@ -155,7 +155,8 @@ TEST_CASE("directions of the aspect sphere are even", "[scenes][signature]") {
     }
 }
 
-TEST_CASE("a black ball shines L pi r^2 every way", "[scenes][signature][by_comparison]") {
+TEST_CASE("a black ball has the intensity L pi r^2 in every direction",
+          "[scenes][signature][by_comparison]") {
     const ScratchFolder folder("signature_ball");
     const double r = 2.0;
     const Studied studied(scene_with(folder, ball_mesh(r, 96), 1.0, seen_by_night, 3.0), warm,
@@ -172,7 +173,8 @@ TEST_CASE("a black ball shines L pi r^2 every way", "[scenes][signature][by_comp
     }
 }
 
-TEST_CASE("from afar a ball shines as at hand where there is no air", "[scenes][signature]") {
+TEST_CASE("without air a ball has the same intensity from far as from near",
+          "[scenes][signature]") {
     const ScratchFolder folder("signature_afar");
     const double r = 2.0;
     const Studied studied(scene_with(folder, ball_mesh(r, 96), 1.0,
@@ -188,7 +190,7 @@ TEST_CASE("from afar a ball shines as at hand where there is no air", "[scenes][
     CHECK(seen > 10);
 }
 
-TEST_CASE("a plate shines L A cos, a box the sum of its faces",
+TEST_CASE("a plate has the intensity L A cos, a box the sum of its faces",
           "[scenes][signature][by_comparison]") {
     const double x = GENERATE(3.0, 4.0), y = 4.0;
     const double height = x == 3.0 ? 0.01 : 4.0;  // a plate, a cube
@@ -210,7 +212,7 @@ TEST_CASE("a plate shines L A cos, a box the sum of its faces",
     }
 }
 
-TEST_CASE("in an isothermal furnace a grey ball cannot be told", "[scenes][signature]") {
+TEST_CASE("in an isothermal furnace a grey ball is invisible", "[scenes][signature]") {
     const ScratchFolder folder("signature_furnace");
     // Without its floor it is a sheet, whose inner side is a facet, too; it stands in the ground.
     write_text(folder.path / "furnace.obj",
@@ -276,7 +278,7 @@ range_m = [1.0, 100000.0]
         CHECK(curve.metric_range[t][0] * tasks[t].v50 ==
               Approx(curve.metric_range[0][0] * tasks[0].v50).epsilon(1e-6));
     }
-    // √C: a quarter of the contrast is half the range, but for what the eye no longer sees.
+    // √C: a quarter of the contrast is half the range, except for what the eye no longer sees.
     const DetectionCurve faint = at(cold + 2.0), fainter = at(cold + 0.5);
     CHECK(fainter.metric_range[0][0] < 0.5 * faint.metric_range[0][0]);
     CHECK(fainter.metric_range[0][0] > 0.3 * faint.metric_range[0][0]);
@@ -286,7 +288,7 @@ range_m = [1.0, 100000.0]
     CHECK(none.metric_range[0][0] == 0.0);
 }
 
-TEST_CASE("mistakes of studies are told where they stand", "[scenes][signature]") {
+TEST_CASE("mistakes of studies are reported with their place", "[scenes][signature]") {
     const ScratchFolder folder("signature_mistakes");
     const auto problem = [&](const std::string& more) {
         try {

@@ -95,7 +95,7 @@ TEST_CASE("scripts for Slurm leave what one process leaves", "[slurm]") {
     CHECK(place.diurna("verify out").code == 0);
 }
 
-TEST_CASE("what Slurm cannot be told is refused before anything is written", "[slurm]") {
+TEST_CASE("what Slurm cannot express is refused before anything is written", "[slurm]") {
     const Place place;
     write_text(place.folder.path / "where", place.inner.string());
     write_text(place.inner / "scene.toml", small_scene());

@@ -106,7 +106,7 @@ TEST_CASE("on level ground an object stands as without a slope, bit by bit", "[s
     CHECK(std::equal(by_itself.begin(), by_itself.end(), upright.begin()));
 }
 
-TEST_CASE("what stands upright on a slope is warned of with its depth and its gap",
+TEST_CASE("an object upright on a slope raises a warning with its depth and its gap",
           "[scenes][stance][warnings]") {
     const ScratchFolder folder("stance_upright");
     write_text(folder.path / "crate.obj", box(3.0, 6.0, 2.0));

@@ -212,7 +212,7 @@ TEST_CASE("pictures cost no solve, and show what was put where", "[scenes][stepp
     CHECK(one.frame["radiance.8-12"].pixel == two.frame["radiance.8-12"].pixel);
 }
 
-TEST_CASE("what a stepper cannot do is told", "[scenes][stepper]") {
+TEST_CASE("what a stepper cannot do is refused", "[scenes][stepper]") {
     const ScratchFolder folder("stepper_mistakes");
     Stepper scene(crate_scene(folder, stays));
     using Catch::Contains;
@@ -227,8 +227,7 @@ TEST_CASE("what a stepper cannot do is told", "[scenes][stepper]") {
     CHECK(scene.now() == clock("00:00:00"));
 }
 
-TEST_CASE("an eye that is put below the ground or into a building is refused",
-          "[scenes][stepper]") {
+TEST_CASE("an observer below the ground or inside a building is refused", "[scenes][stepper]") {
     const ScratchFolder folder("stepper_eye");
     Stepper scene(crate_scene(folder, stays));
     const Observer eye = scene.observer(scene.prepared().scene.observers[0].name);
@@ -247,7 +246,8 @@ TEST_CASE("an eye that is put below the ground or into a building is refused",
     CHECK(problem({0.0, 0.0, -29.0}).empty());
 }
 
-TEST_CASE("a program puts an object on the slope as it stands there", "[scenes][stepper][stance]") {
+TEST_CASE("a program places an object on the slope as the scene does",
+          "[scenes][stepper][stance]") {
     const ScratchFolder folder("stepper_slope");
     write_text(folder.path / "crate.obj", slope_scene::box(3.0, 6.0, 2.0));
     Stepper scene(read_scene(slope_scene::written(

@@ -83,7 +83,7 @@ TEST_CASE("days of a span have the sun that each has by itself", "[scenes][sun]"
     INFO(daily.share_taken_over());
 }
 
-TEST_CASE("a day that is asked for again is not worked out again", "[scenes][sun]") {
+TEST_CASE("a day that is requested again is not computed again", "[scenes][sun]") {
     const Prepared prepared = small();
     const Instant first = parse_instant("2026-07-15T00:00:00-04:00");
     DailySunExposure daily(prepared, later(first, 2.0 * 86400.0));

@@ -309,7 +309,7 @@ TEST_CASE("shards share out all variants", "[scenes][sweep]") {
     }
 }
 
-TEST_CASE("cameras of an aspect sphere stand where they were asked to, and look at the middle",
+TEST_CASE("cameras of an aspect sphere are where requested, and look at the middle",
           "[scenes][sweep][around]") {
     const ScratchFolder folder("sphere");
     std::string text = with(small_scene(), "frame_every_s = 21600.0", "frame_every_s = 86400.0");
@@ -374,7 +374,7 @@ values = [[90.0, 30.0], [-135.0, 60.0]]
     CHECK(hangars == 4 * 2);
 }
 
-TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") {
+TEST_CASE("mistakes of a sweep are reported with their place", "[scenes][sweep]") {
     const ScratchFolder folder("wrong");
     const std::string file = (folder.path / "scene.toml").string();
     const auto axis = [](const std::string& key, const std::string& values) {

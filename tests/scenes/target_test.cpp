@@ -373,7 +373,7 @@ conductance_W_m2K = 20.0
     CHECK(on.result.report.converged);
 }
 
-TEST_CASE("heat goes on over the edge of a sheet", "[scenes][target]") {
+TEST_CASE("heat is conducted over the edge of a sheet", "[scenes][target]") {
     // Lid, sides and floor of one sheet, 2 mm of 200 W/mK, 10 W/m2K outside: m = sqrt(10 / 0.4) = 5
     // /m. The lid gets 200 W/m2; all of it leaves somewhere: sum of A (T - 290) = 20 A_lid. Over
     // its edge, a fold half a fin deep on either side, go 10 K 0.4 W/K 5 /m = 20 W/m on 8 m, but
@@ -431,7 +431,7 @@ name = "sides"
     CHECK(std::abs(fine) < 0.05);
 }
 
-TEST_CASE("mistakes in a target are told with their place", "[scenes][target][input]") {
+TEST_CASE("mistakes in a target are reported with their place", "[scenes][target][input]") {
     const ScratchFolder folder("mistakes");
     over_plain::write_scene(folder.path, {.mesh = box(2, 0.5)});
     const std::string plain = read_text(folder.path / "scene.toml");

@@ -67,7 +67,7 @@ std::string bytes_of(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("an observer goes its way, at heights above the sea", "[scenes][trajectory]") {
+TEST_CASE("an observer follows its trajectory, at heights above the sea", "[scenes][trajectory]") {
     const Prepared scene = prepared(approach + "look_at = \"hangar\"\n" + camera);
     const Sequence& nose = scene.sequences.at(0);
     REQUIRE(nose.frame.size() == 4);
@@ -129,7 +129,8 @@ frames = ["2026-07-15T10:00:01-04:00", "2026-07-15T10:00:02-04:00"]
     }
 }
 
-TEST_CASE("a camera that takes its time blurs by its way and its turn", "[scenes][trajectory]") {
+TEST_CASE("a camera with an exposure time blurs by its motion and its turn",
+          "[scenes][trajectory]") {
     // Level with the ground at 100 m/s over it, always turned to a place 1000 m beside the way's
     // middle: there it turns by v / r, to the left, as the place falls back on its left.
     const Prepared scene = prepared(R"(
@@ -190,7 +191,7 @@ TEST_CASE("a frame alone has the bytes it has in its sequence", "[scenes][trajec
     }
 }
 
-TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][input]") {
+TEST_CASE("what a trajectory or its observer cannot be is refused", "[scenes][trajectory][input]") {
     const auto reported = [](const std::string& text, const std::string& csv = "") {
         try {
             prepared(text, csv);

@@ -92,7 +92,7 @@ TEST_CASE("walls of buildings that overlap stand on the ground", "[scenes][world
     }
 }
 
-TEST_CASE("a flat sheet on the ground is lifted off it, and told", "[scenes][world]") {
+TEST_CASE("a flat sheet on the ground is lifted off it, and reported", "[scenes][world]") {
     const ScratchFolder folder("sheet-on-ground");
     write_text(folder.path / "quad.obj", "v -2 0 2\nv 2 0 2\nv 2 0 -2\nv -2 0 -2\nf 1 2 3 4\n");
     const auto with_sheet = [&](const char* height) {

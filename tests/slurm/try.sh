@@ -33,7 +33,7 @@ wait_for() { # the job's end, which must be a good one
     exit 1
 }
 
-same() { # but for what tells of the run itself
+same() { # except for what describes the run itself
     diff -rq -x report.html -x manifest.json -x ledger.jsonl "$1" "$2"
     "$program" verify "$2"
 }

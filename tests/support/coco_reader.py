@@ -116,7 +116,7 @@ def overlap(found, true, crowd):
 
 def matches(found, true, least):
     """(score, hit) of the boxes found in one picture; what only meets a crowd is left out."""
-    taken, told = set(), []
+    taken, boxes = set(), []
     for box in sorted(found, key=lambda f: -f["score"])[:100]:
         best, share = None, min(least, 1 - 1e-10)
         for k, label in enumerate(sorted(true, key=lambda t: t["iscrowd"])):
@@ -128,11 +128,11 @@ def matches(found, true, least):
             if now >= share:
                 best, share = (k, label), now
         if best is None:
-            told.append((box["score"], False))
+            boxes.append((box["score"], False))
         elif not best[1]["iscrowd"]:
             taken.add(best[0])
-            told.append((box["score"], True))
-    return told
+            boxes.append((box["score"], True))
+    return boxes
 
 
 def average_precision(coco, found):
@@ -146,10 +146,10 @@ def average_precision(coco, found):
         if count == 0:
             continue
         for step in range(10):
-            told = [m for i in coco["images"]
+            boxes = [m for i in coco["images"]
                     for m in matches(of(found, i), of(coco["annotations"], i), 0.5 + 0.05 * step)]
             hits, curve = 0, []
-            for seen, (_, hit) in enumerate(sorted(told, key=lambda m: -m[0]), 1):
+            for seen, (_, hit) in enumerate(sorted(boxes, key=lambda m: -m[0]), 1):
                 hits += hit
                 curve.append((hits / count, hits / seen))
             precisions.append(sum(max([p for r, p in curve if r >= k / 100], default=0.0)

@@ -18,8 +18,8 @@ place = sources / "scenes" / "jacksboro"
 
 
 def inspect(file):
-    told = subprocess.run([program, "inspect", str(file), "--json"], stdout=subprocess.PIPE, check=True)
-    return json.loads(told.stdout)
+    printed = subprocess.run([program, "inspect", str(file), "--json"], stdout=subprocess.PIPE, check=True)
+    return json.loads(printed.stdout)
 
 
 def check(good, what):
@@ -27,47 +27,47 @@ def check(good, what):
         sys.exit("differs: " + what)
 
 
-def near(told, value, share=1e-6):
-    return abs(told - value) <= share * max(1.0, abs(value))
+def near(printed, value, share=1e-6):
+    return abs(printed - value) <= share * max(1.0, abs(value))
 
 
 def raster():
-    told = inspect(place / "elevation.tif")
+    printed = inspect(place / "elevation.tif")
     share = OpenImageIO.ImageInput.open(str(place / "elevation.tif")).read_image("float")[..., 0]
     height = numpy.rint(share.astype(numpy.float64) * 32767)  # of the greatest INT16
-    band = told["bands"][0]
-    check(told["kind"] == "elevation raster" and "EPSG:4326" in told["crs"], "kind")
-    check((told["rows"], told["columns"]) == height.shape, "size")
+    band = printed["bands"][0]
+    check(printed["kind"] == "elevation raster" and "EPSG:4326" in printed["crs"], "kind")
+    check((printed["rows"], printed["columns"]) == height.shape, "size")
     check((band["least"], band["most"]) == (height.min(), height.max()) and near(band["mean"], height.mean()), "heights")
-    check(band["no_data"] == "none" and told["voids"] == 0, "voids")
+    check(band["no_data"] == "none" and printed["voids"] == 0, "voids")
     # Three arc seconds; metres by degrees of WGS84's meridian and parallel there (NGA: 110.97 and 89.86 km at 36.3).
-    check(near(told["posting_m"][0], 89860 / 1200, 2e-3) and near(told["posting_m"][1], 110970 / 1200, 2e-3), "posting")
-    check(near(told["centre_latitude_deg"], told["upper_left"][1] - 344 / 2 / 1200), "latitude")
-    check(near(told["centre_longitude_deg"], told["upper_left"][0] + 403 / 2 / 1200), "longitude")
+    check(near(printed["posting_m"][0], 89860 / 1200, 2e-3) and near(printed["posting_m"][1], 110970 / 1200, 2e-3), "posting")
+    check(near(printed["centre_latitude_deg"], printed["upper_left"][1] - 344 / 2 / 1200), "latitude")
+    check(near(printed["centre_longitude_deg"], printed["upper_left"][0] + 403 / 2 / 1200), "longitude")
     subprocess.run([program, "visibility", str(place / "elevation.tif"), "--azimuths", "4", "--out", str(folder / "sky.tif")],
                    stdout=subprocess.DEVNULL, check=True)
     check(inspect(folder / "sky.tif")["kind"] == "raster", "no elevation")
 
 
 def weather():
-    told = inspect(place / "weather.csv")
+    printed = inspect(place / "weather.csv")
     rows = list(csv.DictReader(line for line in open(place / "weather.csv") if not line.startswith("#")))
-    check(told["kind"] == "weather" and told["rows"] == len(rows), "rows")
-    check(told["usual_step_s"] == 1800 and told["gaps_in_time"] == 0, "step")
-    for column in told["columns"]:
+    check(printed["kind"] == "weather" and printed["rows"] == len(rows), "rows")
+    check(printed["usual_step_s"] == 1800 and printed["gaps_in_time"] == 0, "step")
+    for column in printed["columns"]:
         value = numpy.array([float(r[column["column"]]) for r in rows])
         check(column["missing"] == 0 and near(column["least"], value.min()) and near(column["most"], value.max()), "range")
         check(near(column["mean"], value.mean()), "mean")
-    check({c["column"] for c in told["columns"]} == set(rows[0]) - {"time"}, "columns")
+    check({c["column"] for c in printed["columns"]} == set(rows[0]) - {"time"}, "columns")
     (folder / "gappy.csv").write_text("time,air_temperature_K\n2026-01-01T00:00:00Z,280\n2026-01-01T01:00:00Z,\n"
                                       "2026-01-01T02:00:00Z,282\n2026-01-01T06:00:00Z,283\n2026-01-01T07:00:00Z,284\n")
-    told = inspect(folder / "gappy.csv")
-    check(told["gaps"] == [{"from": "2026-01-01T02:00:00Z", "to": "2026-01-01T06:00:00Z", "seconds": 14400.0}], "gap")
-    check(told["columns"][0]["missing"] == 1, "missing")
+    printed = inspect(folder / "gappy.csv")
+    check(printed["gaps"] == [{"from": "2026-01-01T02:00:00Z", "to": "2026-01-01T06:00:00Z", "seconds": 14400.0}], "gap")
+    check(printed["columns"][0]["missing"] == 1, "missing")
 
 
 def mesh():
-    told = inspect(place / "truck.obj")
+    printed = inspect(place / "truck.obj")
     vertex, facets, groups, group = [], 0, {}, ""
     for line in open(place / "truck.obj"):
         words = line.split()
@@ -77,22 +77,22 @@ def mesh():
             group = words[1]
         elif words[:1] == ["f"]:
             groups[group] = groups.get(group, 0) + len(words) - 3
-    check(told["facets"] == sum(groups.values()), "facets")
-    check({g["group"]: g["facets"] for g in told["groups"]} == groups, "groups")
-    check(all(near(t, v, 1e-5) for t, v in zip(told["low"] + told["high"], [*numpy.min(vertex, 0), *numpy.max(vertex, 0)])), "bounds")
+    check(printed["facets"] == sum(groups.values()), "facets")
+    check({g["group"]: g["facets"] for g in printed["groups"]} == groups, "groups")
+    check(all(near(t, v, 1e-5) for t, v in zip(printed["low"] + printed["high"], [*numpy.min(vertex, 0), *numpy.max(vertex, 0)])), "bounds")
 
 
 def temperatures():
-    told = inspect(folder / "temperatures.nc")
+    printed = inspect(folder / "temperatures.nc")
     data = netCDF4.Dataset(folder / "temperatures.nc")
     kelvin = data["surface_temperature"][:].filled().astype(numpy.float64)
-    check((told["instants"], told["facets"]) == kelvin.shape, "shape")
-    check(told["first"] == data["local_time"][0] and told["last"] == data["local_time"][-1], "times")
-    for row, at in zip(told["temperatures"], kelvin):
+    check((printed["instants"], printed["facets"]) == kelvin.shape, "shape")
+    check(printed["first"] == data["local_time"][0] and printed["last"] == data["local_time"][-1], "times")
+    for row, at in zip(printed["temperatures"], kelvin):
         check(near(row["least_K"], at.min()) and near(row["most_K"], at.max()), "range")
     for kind in ("material", "object"):
         words, number = data[kind].flag_meanings.split(), data[kind][:].filled()
-        check({(m[kind], m["facets"]) for m in told[kind + "s"]} == {(words[n], (number == n).sum()) for n in set(number)}, kind)
+        check({(m[kind], m["facets"]) for m in printed[kind + "s"]} == {(words[n], (number == n).sum()) for n in set(number)}, kind)
 
 
 def picture():
@@ -107,15 +107,15 @@ def picture():
     out.open(str(folder / "two.exr"), spec)
     out.write_image(pixels)
     out.close()
-    told = inspect(folder / "two.exr")
-    check((told["width_px"], told["height_px"], told["observer"], told["utc"]) == (7, 5, "hill", "2026-07-15T16:00:00Z"), "head")
-    planes = {p["plane"]: p for p in told["planes"]}
+    printed = inspect(folder / "two.exr")
+    check((printed["width_px"], printed["height_px"], printed["observer"], printed["utc"]) == (7, 5, "hill", "2026-07-15T16:00:00Z"), "head")
+    planes = {p["plane"]: p for p in printed["planes"]}
     check(set(planes) == set(names) and planes["range"]["unit"] == "m", "planes")
     for k, name in enumerate(names):
         value = pixels[..., k][numpy.isfinite(pixels[..., k])].astype(numpy.float64)
         check(near(planes[name]["least"], value.min()) and near(planes[name]["most"], value.max()) and near(planes[name]["mean"], value.mean()), name)
         check(planes[name]["finite_px"] == value.size, "finite")
-    check({"attribute": "note.moon", "text": "none"} in told["attributes"], "note")
+    check({"attribute": "note.moon", "text": "none"} in printed["attributes"], "note")
 
 
 raster()

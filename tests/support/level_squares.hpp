@@ -98,7 +98,7 @@ inline Squares under_heated_sheet() {
     }
     return e;
 }
-/// What the program makes of it.
+/// What the program sets.
 ///
 /// - back: a line for the sheet's material, or none
 /// - again: the mesh has each square once more, reversed: from its last corner to its first

@@ -16,7 +16,7 @@
 #include "scenes/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
-/// What a third party can add up anew: the radiance of pixels from the planes of a picture and the
+/// What a third party can add up again: the radiance of pixels from the planes of a picture and the
 /// library of materials alone. The sum stands here once more, with Planck's law and quadratures of
 /// its own; of the program only the readers of files are called.
 namespace redone {

@@ -149,7 +149,7 @@ inline LunarDay lunar_day(const std::filesystem::path& curve) {
             (Eigen::MatrixXd::Identity(n, n) - map).fullPivLu().solve(change);
         for (Eigen::Index i = 0; i < n; ++i) u[std::size_t(i)] = begin[std::size_t(i)] + move[i];
     }
-    // The file's rows may stand for the beginning or the end of a step.
+    // The file's rows may represent the beginning or the end of a step.
     double best_rms = 1e9, best_worst = 0.0;
     for (const int shift : {0, 1}) {
         double sum = 0.0, worst = 0.0;

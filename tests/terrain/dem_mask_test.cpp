@@ -101,7 +101,7 @@ void masked_tiff(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("posts that an internal mask leaves out have no elevation", "[terrain][dem][voids]") {
+TEST_CASE("posts that an internal mask excludes have no elevation", "[terrain][dem][voids]") {
     const ScratchFolder folder("dem_mask");
     const auto file = folder.path / "masked.tif";
     masked_tiff(file);

@@ -114,7 +114,7 @@ TEST_CASE("cells without size are refused", "[terrain][dem][stress]") {
     }
 }
 
-TEST_CASE("a raster far from its UTM zone is told", "[terrain][dem][stress]") {
+TEST_CASE("a raster far from its UTM zone is reported", "[terrain][dem][stress]") {
     const Dem right = read_dem(written("right.tif", made("EPSG:32616", 750e3, 4020e3, 30, 20, 20)));
     CHECK(right.notes.empty());
     // Cumberland in zone 16 with the eastings of zone 16 named 11 is where Nevada is: that cannot

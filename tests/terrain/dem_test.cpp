@@ -98,7 +98,7 @@ TEST_CASE("Jacksboro's highest post stands on Cross Mountain", "[terrain][dem]")
     CHECK(spacing.y() == Approx(1849.3 / 20).epsilon(1e-3));
 }
 
-TEST_CASE("a place goes into the raster and out again", "[terrain][dem]") {
+TEST_CASE("a place converts into the raster and back", "[terrain][dem]") {
     const Dem dem = read_dem(jacksboro);
     const Site site{36.3, -84.2, 400.0};
     const std::vector<Eigen::Vector2d> east_north{{0, 0}, {2500, -7000}, {-9000, 8000}};
@@ -132,7 +132,7 @@ TEST_CASE("between posts heights are bilinear, outside and beside voids unknown"
     CHECK(height_at(dem, 46.15, 8.15) == Approx(20.0));
 }
 
-TEST_CASE("voids are refused, left or filled as told", "[terrain][dem]") {
+TEST_CASE("voids are refused, left or filled as requested", "[terrain][dem]") {
     const AsciiGrid file(grid(4, 4, "1 2 3 4\n1 -99 -32768 4\n1 -9999 3 4\n1 2 3 4"));
     CHECK(refusal(file.file()).find("no elevation at 3 posts (19 %)") != std::string::npos);
     CHECK(refusal(file.file()).find("voids = \"fill\"") != std::string::npos);

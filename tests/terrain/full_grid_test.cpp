@@ -83,7 +83,7 @@ TEST_CASE("footprints cut the full grid and it keeps every post", "[terrain][gri
     CHECK(inside == Approx(exact).epsilon(1e-9));
 }
 
-TEST_CASE("a small footprint on a coarse raster is cut as fine as it asks",
+TEST_CASE("a small footprint on a coarse raster is cut as fine as it requests",
           "[terrain][grid][ground]") {
     Dem dem = bumps(5, 5);
     dem.transform = {420e3, 550.0, 0.0, 5100e3, 0.0, -550.0};

@@ -234,7 +234,7 @@ TEST_CASE("a field's plan answers both ways", "[terrain][height_field]") {
     }
 }
 
-TEST_CASE("voids neither hide nor stand in a shadow", "[terrain][height_field][stress]") {
+TEST_CASE("voids neither cast shadows nor lie in one", "[terrain][height_field][stress]") {
     const float hole = std::nanf("");
     const std::vector<float> up{0, hole, 5, 0, hole, 5, 0, hole, 5};
     const HeightField field = even_field(3, 3, up, 10.0);

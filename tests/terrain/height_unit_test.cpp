@@ -46,7 +46,7 @@ TEST_CASE("a unit of heights is known however it is spelled", "[terrain][dem][un
     CHECK(unit->metres == Approx(metres).epsilon(1e-12));
 }
 
-TEST_CASE("a word that is no unit of heights is none", "[terrain][dem][units]") {
+TEST_CASE("a word that is no unit of heights is not read as one", "[terrain][dem][units]") {
     const char* word = GENERATE("K", "furlong", "British foot", "degree", "1", "m/s", "m2", "", "s",
                                 "footprint", "Clarke's foot");
     CAPTURE(word);

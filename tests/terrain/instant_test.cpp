@@ -21,7 +21,7 @@ TEST_CASE("an instant's text says how far its clock is ahead of UTC", "[terrain]
     CHECK(utc_offset_of("2003-10-17T19:30:30Z") == 0.0);
 }
 
-TEST_CASE("decimals of a second are kept to the millisecond", "[terrain][instant]") {
+TEST_CASE("decimals of a second are exact to the millisecond", "[terrain][instant]") {
     CHECK(format_instant(parse_instant("2003-10-17T19:30:30.25Z")) == "2003-10-17T19:30:30.250Z");
     CHECK(format_instant(parse_instant("2003-10-17T19:30:30.9996Z")) == "2003-10-17T19:30:31Z");
 }

@@ -12,7 +12,7 @@ TEST_CASE("solar time is that of NREL's SPA example", "[terrain][sun][by_compari
     CHECK(format_solar_time(golden, instant) == "12:44");
 }
 
-TEST_CASE("an instant reads as on the clock that it is told by", "[terrain][instant]") {
+TEST_CASE("an instant is printed in the local time of its place", "[terrain][instant]") {
     const Instant instant = parse_instant("2028-02-29T03:30:00Z");
     CHECK(format_local(instant, 0.0) == "2028-02-29T03:30:00+00:00");
     CHECK(format_local(instant, -3.5 * 3600.0) == "2028-02-29T00:00:00-03:30");

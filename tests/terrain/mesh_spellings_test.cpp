@@ -31,7 +31,7 @@ bool is_closed(const MeshFile& mesh) {
 
 }  // namespace
 
-TEST_CASE("what OBJ files have beside their numbers changes none", "[terrain][mesh][obj]") {
+TEST_CASE("what OBJ files have beside their numbers changes no result", "[terrain][mesh][obj]") {
     const MeshFile plain = file_of("a.obj", tetrahedron);
     for (const std::string& text :
          {replaced(tetrahedron, "\n", " # a comment\n"), replaced(tetrahedron, "\n", "# glued\n"),
@@ -56,7 +56,7 @@ TEST_CASE("STL in capitals is STL", "[terrain][mesh][stl]") {
     CHECK(area(file_of("a.stl", text + std::string(100, ' '))) == Approx(0.5));
 }
 
-TEST_CASE("PLY: strips of triangles are faces, points are none", "[terrain][mesh][ply]") {
+TEST_CASE("PLY: strips of triangles are faces, points are not", "[terrain][mesh][ply]") {
     const std::string head =
         "ply\nformat ascii 1.0\nCOMMENT made here\\\nelement vertex 8\nproperty float x\n"
         "property float y\nproperty float z\n";

@@ -171,7 +171,7 @@ TEST_CASE("no model has slivers", "[terrain][models]") {
     }
 }
 
-TEST_CASE("models have the sizes that they tell", "[terrain][models]") {
+TEST_CASE("models have the sizes that they state", "[terrain][models]") {
     const auto size = [](const char* name) { return size_of(model_mesh(name, Detail::high)); };
     // ISO 668: 6.058 x 2.438 x 2.591 m.
     CHECK((size("container") - Vector3d(2.438, 6.058, 2.591)).norm() < 0.03);
@@ -230,8 +230,8 @@ TEST_CASE("a net hangs clear of what it covers and stands open", "[terrain][mode
         REQUIRE(mesh.vertex[edge[0]].z() == Approx(0.1).margin(1e-9));
         REQUIRE(mesh.vertex[edge[1]].z() == Approx(0.1).margin(1e-9));
     }
-    // Straight above the truck's every vertex the net is higher by its clearance, but for its own
-    // squares' sag over an edge.
+    // Straight above the truck's every vertex the net is higher by its clearance, except for its
+    // own squares' sag over an edge.
     double least = 1e9;
     for (std::size_t v = 0; v < vertices; ++v) {
         const Vector3d p = mesh.vertex[v];

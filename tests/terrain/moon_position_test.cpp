@@ -16,7 +16,7 @@ const Instant example = parse_instant("1992-04-11T23:59:01.816Z");
 
 }  // namespace
 
-TEST_CASE("the moon stands where Meeus's example 47.a has it", "[terrain][moon][by_comparison]") {
+TEST_CASE("the moon is where Meeus's example 47.a has it", "[terrain][moon][by_comparison]") {
     const Eigen::Vector3d moon = moon_from_earth(example);
     CHECK(moon.norm() * 149597870.7 == Approx(368409.7).margin(5.0));
     // Declination of date: the frame's axis is the earth's.
@@ -52,7 +52,8 @@ TEST_CASE("from the ground the moon is nearer overhead and lower at the horizon"
     const MoonPosition above = moon_position({latitude_deg, longitude_deg, 0.0}, example);
     CHECK(above.elevation_deg > 89.9);
     CHECK(above.light.distance_km == Approx(distance_km - radius_km).margin(30.0));
-    // A quarter round the equator from the moon's meridian it stands at the horizon, but for that.
+    // A quarter round the equator from the moon's meridian it stands at the horizon, except for
+    // that.
     const MoonPosition aside = moon_position({0.0, longitude_deg + 90.0, 0.0}, example);
     CHECK(aside.elevation_deg == Approx(-degrees(std::asin(radius_km / distance_km))).margin(0.01));
     CHECK(aside.azimuth_deg == Approx(270.0 + latitude_deg).margin(0.3));

@@ -53,7 +53,7 @@ TEST_CASE("tiles join at the posts they share", "[terrain][dem][mosaic]") {
     CHECK(turned.transform[0] == Approx(dem.transform[0]));
 }
 
-TEST_CASE("tiles that disagree are told, strangers refused", "[terrain][dem][mosaic]") {
+TEST_CASE("tiles that disagree are reported, unrelated ones refused", "[terrain][dem][mosaic]") {
     const auto first = grid("a", 3, 3, 8.0, 46.0, "1 2 3 4 5 6 7 8 9");
     const Dem dem = read_dem(Files{first, grid("b", 3, 3, 8.2, 46.0, "9 2 3 6 5 6 9 8 9")});
     REQUIRE(dem.notes.size() == 1);
@@ -116,7 +116,7 @@ TEST_CASE("the seam of two SRTM tiles is one", "[terrain][dem][mosaic]") {
     CHECK(found.uncovered_posts == 0);
 }
 
-TEST_CASE("EGM96 stands where PROJ's grid says", "[terrain][dem][geoid][by_comparison]") {
+TEST_CASE("EGM96 is at the heights of PROJ's grid", "[terrain][dem][geoid][by_comparison]") {
     // Bilinear values of egm96_15; NGA's own test points lie within 5 cm of them.
     const std::vector<Geodetic> places{{38.628155, -90.220845, 0}, {-14.621217, -54.978886, 0},
                                        {46.874319, 102.448729, 0}, {-23.617446, 133.874712, 0},
@@ -136,7 +136,7 @@ TEST_CASE("EGM96 stands where PROJ's grid says", "[terrain][dem][geoid][by_compa
     CHECK(worst < 0.01);
 }
 
-TEST_CASE("a doubtful datum is told with its size", "[terrain][dem]") {
+TEST_CASE("an uncertain datum is reported with its effect", "[terrain][dem]") {
     const auto file = shared_data("data/dem/holyrood_dsm_2p5m_osgb.tif");
     if (!file) return;
     const Dem dem = read_dem(*file, {.voids = VoidPolicy::fill});

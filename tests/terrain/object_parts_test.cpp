@@ -82,8 +82,7 @@ TEST_CASE("walls and roof of a box are as large as they are", "[terrain][parts]"
     CHECK(body.top == Approx(6.0).margin(1e-4));
 }
 
-TEST_CASE("a pipe is as wide as its diameter, and not part of what stands beside it",
-          "[terrain][parts]") {
+TEST_CASE("a pipe is as wide as its diameter, and not part of its neighbour", "[terrain][parts]") {
     FacetSet facets = with_ground();
     append_facets(facets, pipe(0.05, 2.0, 32), ObjectId{1});
     const std::size_t pipe_end = facets.size();

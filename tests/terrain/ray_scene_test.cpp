@@ -105,7 +105,7 @@ TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long][b
     CHECK(leaks == 0);
 }
 
-TEST_CASE("of a million rays aimed at edges hardly one slips through",
+TEST_CASE("of a million rays aimed at edges almost none passes through",
           "[terrain][rays][by_extreme]") {
     // Embree's robust mode evaluates an edge alike for both its triangles, up to rounding; its
     // authors know of cracks at vertices (RenderKit/embree issues 174, 181, 188). Anything like

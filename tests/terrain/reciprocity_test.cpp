@@ -74,7 +74,7 @@ TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exc
     CHECK(after < before / 1.3);
 }
 
-TEST_CASE("small exchange is left out and the rest takes its place", "[terrain][exchange]") {
+TEST_CASE("small exchange is omitted and the rest scaled up", "[terrain][exchange]") {
     const FacetSet facets = hollow(16, 48, 0.4 * pi);
     FacetViews all = facet_views(facets, RayScene(facets), {.rays = 64});
     FacetViews few = all;
@@ -122,7 +122,7 @@ TEST_CASE("two plates that see only each other share what both can give", "[terr
     CHECK(view.below[2] == Approx(0.5));
 }
 
-TEST_CASE("small facets keep their view beside large ones that few rays tell of",
+TEST_CASE("small facets keep their view beside large ones that few rays meet",
           "[terrain][exchange][by_extreme]") {
     // A box of small facets on a plain of two large triangles: a wall sees half ground, half sky,
     // the plain's edge at 100 m hides 0.7 % of it, and walls of 3 m lose nothing more.

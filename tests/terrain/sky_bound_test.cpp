@@ -87,7 +87,7 @@ double check_bound(const FacetSet& facets) {
 
 }  // namespace
 
-TEST_CASE("nothing stands above the bound on hills", "[terrain][sky_bound]") {
+TEST_CASE("nothing is above the bound on hills", "[terrain][sky_bound]") {
     FacetSet facets;
     sheet(90, 5.0, hills).append_to(facets);
     CHECK(check_bound(facets) > 0.5);  // all but the patches at the edge

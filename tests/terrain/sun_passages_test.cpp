@@ -59,7 +59,7 @@ TEST_CASE("noon is the equation of time before the mean one", "[terrain][sun][by
     }
 }
 
-TEST_CASE("a sun that hardly reaches a height passes it twice, or not", "[terrain][sun]") {
+TEST_CASE("a sun that just reaches a height passes it twice, or not", "[terrain][sun]") {
     const Site site{36.0, 0.0, 0.0};
     const Instant from = parse_instant("2026-03-20T00:00:00Z");
     const Instant to = parse_instant("2026-03-21T00:00:00Z");

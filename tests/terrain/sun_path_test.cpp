@@ -8,7 +8,7 @@
 
 using namespace diurna;
 
-TEST_CASE("between computed places the sun goes on smoothly", "[thermal][sun_path]") {
+TEST_CASE("between computed places the sun moves smoothly", "[thermal][sun_path]") {
     const Site site{.latitude_deg = 46.8, .longitude_deg = 9.8, .height = 2540.0};
     for (const char* start : {"2026-06-21T00:00:00Z", "1968-12-30T17:03:00Z"}) {
         SunPath path(site);

@@ -7,7 +7,7 @@ using namespace diurna;
 
 // Reda & Andreas, "Solar position algorithm for solar radiation applications", NREL/TP-560-34302
 // (2008), worked example of appendix A.5.
-TEST_CASE("the sun stands where NREL's SPA example has it", "[terrain][sun][by_comparison]") {
+TEST_CASE("the sun is where NREL's SPA example has it", "[terrain][sun][by_comparison]") {
     const Site golden{39.742476, -105.1786, 1830.14};
     const Instant instant = parse_instant("2003-10-17T12:30:30-07:00");
     const SunPosition sun = sun_position(golden, instant, 820.0, 11.0);

@@ -17,7 +17,7 @@ Eigen::Vector3d ahead(const Eigen::Quaterniond& q) { return q * Eigen::Vector3d:
 
 }  // namespace
 
-TEST_CASE("a straight way is gone at even speed", "[terrain][trajectory]") {
+TEST_CASE("a straight trajectory has constant speed", "[terrain][trajectory]") {
     const std::vector<Eigen::Vector3d> place = {{0, 0, 10}, {30, 40, 10}, {30, 40, 110}};
     const Trajectory way{.seconds = seconds_at_speed(place, 10.0), .place = place};
     CHECK(way.seconds == std::vector<double>{0.0, 5.0, 15.0});
@@ -29,7 +29,8 @@ TEST_CASE("a straight way is gone at even speed", "[terrain][trajectory]") {
     CHECK(apart(place_at(way, 99.0), place.back()) < 1e-12);
 }
 
-TEST_CASE("a smooth way goes round a circle and through its points", "[terrain][trajectory]") {
+TEST_CASE("a smooth trajectory follows a circle and passes through its points",
+          "[terrain][trajectory]") {
     // Forty places on a circle of 100 m, h = 0.157 rad apart. The parabola's slope is off by h^2/6
     // of the third derivative, and the cubic by a fourth of that times h at most, where the two
     // ends' slopes are off to different sides: 100 h^3 / 24 = 0.016 m; straight ways by 100 h^2/8.
@@ -83,7 +84,7 @@ TEST_CASE("between two attitudes a body turns at an even rate", "[terrain][traje
     }
 }
 
-TEST_CASE("a smooth way rests where it stops", "[terrain][trajectory]") {
+TEST_CASE("a smooth trajectory is at rest where it stops", "[terrain][trajectory]") {
     // North at 10 m/s, ten minutes' stop at 100 m, on to the east.
     const Trajectory way{
         .seconds = {0.0, 5.0, 10.0, 610.0, 615.0, 620.0},
@@ -105,7 +106,7 @@ TEST_CASE("a smooth way rests where it stops", "[terrain][trajectory]") {
     CHECK(all[1].until == 610.0);
 }
 
-TEST_CASE("a smooth way is gone at the speed that is asked for", "[terrain][trajectory]") {
+TEST_CASE("a smooth trajectory has the requested speed", "[terrain][trajectory]") {
     const std::vector<Eigen::Vector3d> place = {
         {0, 0, 20}, {100, 0, 20}, {100, 80, 30}, {40, 160, 30}, {-60, 150, 20}};
     const Trajectory way = smooth_at_speed(place, 10.0);
@@ -123,7 +124,7 @@ TEST_CASE("a smooth way is gone at the speed that is asked for", "[terrain][traj
     }
 }
 
-TEST_CASE("a log in degrees goes, though its steps are small numbers", "[terrain][trajectory]") {
+TEST_CASE("a log in degrees moves, though its steps are small numbers", "[terrain][trajectory]") {
     // A metre or two a second at 36 degrees north, then a stop of two seconds.
     const Trajectory way{.seconds = {0.0, 1.0, 2.0, 4.0},
                          .place = {{-84.2, 36.3, 0.0},

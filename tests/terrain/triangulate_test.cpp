@@ -201,7 +201,7 @@ TEST_CASE("footprints beside and over voids leave the guarantee whole",
     for (const float h : mesh.height) CHECK(std::isfinite(h));
 }
 
-TEST_CASE("a footprint that is none is refused", "[terrain][ground][stress]") {
+TEST_CASE("an invalid footprint is refused", "[terrain][ground][stress]") {
     const Dem dem = hills(10, 10);
     Footprint footprint{{{1, 1}, {5, 1}, {5, 5}}, 50.0};
     SECTION("two corners") { footprint.ring.pop_back(); }

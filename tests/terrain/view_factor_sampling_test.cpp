@@ -87,7 +87,7 @@ double mean_sky_view(const FacetSet& facets, const FacetViewOptions& options,
     return mean.value();
 }
 
-constexpr double far_along = 2000.0;  // half length of what stands for infinite, in widths
+constexpr double far_along = 2000.0;  // half length of what represents infinite, in widths
 
 }  // namespace
 
@@ -316,7 +316,7 @@ TEST_CASE("the shadow in a bowl covers the share that geometry says",
     CHECK(shaded.value() == Approx(exact).margin(2e-3));
 }
 
-TEST_CASE("the sun shines on one side, and the disc fades over its width",
+TEST_CASE("the sun illuminates one side, and the disc fades over its width",
           "[terrain][visibility][sun]") {
     Mesh mesh;
     mesh.sheet(8, 8, [](double u, double v) -> Eigen::Vector3d { return {u, v, 0.0}; });

@@ -55,7 +55,7 @@ TEST_CASE("a sheet written twice is one sheet, whichever way the copy faces",
     CHECK(is_open(mesh));
 }
 
-TEST_CASE("faces of two materials in one place are told", "[terrain][objects]") {
+TEST_CASE("faces of two materials in one place are reported", "[terrain][objects]") {
     MeshFile same_way = square_and({{2, 0, 1}});
     const WeldedFaces contested = weld_faces(same_way, unlike);
     REQUIRE(contested.contested);
@@ -69,7 +69,7 @@ TEST_CASE("faces of two materials in one place are told", "[terrain][objects]") 
     CHECK(reversed.triangle.size() == 3);
 }
 
-TEST_CASE("triangles whose corners lie on a line are left out", "[terrain][objects]") {
+TEST_CASE("triangles whose corners lie on a line are skipped", "[terrain][objects]") {
     MeshFile mesh = square_and({{0, 1, 4}});
     const WeldedFaces found = weld_faces(mesh, alike);
     CHECK(found.flat == 1);
@@ -123,7 +123,7 @@ TEST_CASE("patches in one place are found by their borders", "[terrain][objects]
     CHECK(beside.triangle.size() == 3);
 }
 
-TEST_CASE("walls between boxes that touch are none, whichever way the boxes face",
+TEST_CASE("walls between boxes that touch are removed, whichever way the boxes face",
           "[terrain][objects]") {
     // n x n unit boxes in one block, some inside out: surface 2 n² + 4 n, volume n².
     const int n = GENERATE(2, 3, 4);
@@ -154,7 +154,7 @@ TEST_CASE("walls between boxes that touch are none, whichever way the boxes face
     CHECK(read_mesh::volume(mesh) == Approx(double(n * n)));
 }
 
-TEST_CASE("a fin written twice on a box is kept once", "[terrain][objects]") {
+TEST_CASE("a fin written twice on a box remains once", "[terrain][objects]") {
     MeshFile mesh{.part = {{"a", ""}}};
     for (const auto& corner : read_mesh::Box{.low = {0, 0, 0}}.triangles()) {
         Corners triangle{};

@@ -104,7 +104,7 @@ TEST_CASE("a half-space's conductivity and film are found from its closed form",
     CHECK(report.fit.rms < 0.05);  // straight lines between rows, steps of the column
 }
 
-TEST_CASE("a thermometer below the surface tells both as well",
+TEST_CASE("a thermometer below the surface determines both as well",
           "[thermal][column_tool][calibrate][by_comparison]") {
     const ScratchFolder folder("calibrate_depth");
     const double deep = GENERATE(0.02, 0.1, 0.25);  // 0.15, 0.75, 1.9 of the daily wave's depth
@@ -133,7 +133,7 @@ TEST_CASE("noise of a curve is in the interval", "[thermal][column_tool][calibra
     CHECK(report.fit.rms == Approx(0.5).epsilon(0.25));
 }
 
-TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool][calibrate]") {
+TEST_CASE("what cannot be calibrated is refused in a line", "[thermal][column_tool][calibrate]") {
     const ScratchFolder folder("calibrate_told");
     const auto file = folder.path / "column.toml";
     const auto reported = [&](const std::string& sought, const std::vector<std::string>& settings) {

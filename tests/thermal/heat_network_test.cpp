@@ -254,7 +254,7 @@ TEST_CASE("heat put in is heat stored, at any step", "[thermal][network][by_vari
     }
 }
 
-TEST_CASE("a part that is held cold or hot goes there at once", "[thermal][network]") {
+TEST_CASE("a part that is held cold or hot is there at once", "[thermal][network]") {
     // In contact of 1e5 W/m2K with 160 or 1500 K, from 300: what a film of 20 W/m2K to 300 K
     // leaves, 20 / 1e5 of the difference.
     for (const double held : {160.0, 1500.0}) {

@@ -147,7 +147,7 @@ TEST_CASE("measured longwave keeps its place between clear sky and black body",
     CHECK(t[1] == Approx(balanced(there, high, 1.0, 1.0)).margin(0.005));
 }
 
-TEST_CASE("the lapse may be told, reversed or none", "[thermal][solver][heights]") {
+TEST_CASE("the lapse may be given, reversed or zero", "[thermal][solver][heights]") {
     const auto at = [](double lapse, std::vector<float> height) {
         Case c(whole_sky(2), std::move(height));
         c.rule.lapse = lapse;

@@ -103,7 +103,8 @@ TEST_CASE("what is absurd but may be read is followed in a bounded number of ste
     CHECK(given_up < cases / 10);
 }
 
-TEST_CASE("a balance that no step solves is given up, and told when", "[thermal][column_tool]") {
+TEST_CASE("a balance that no step solves ends with an error and its instant",
+          "[thermal][column_tool]") {
     ThermalSurface surface;
     surface.layers = {deep};
     surface.roughness_length = 0.01;

@@ -58,7 +58,7 @@ TEST_CASE("the periodic day of columns up to 10 m is found in six passes, to 0.0
     const PointResult point = run_column(job);
     CHECK(point.passes <= 6);
     CHECK(point.periodic_residual <= 1e-4);
-    // The true error: the answer does not know where it began. Steps are chosen anew, to 0.002 K.
+    // The true error: the answer does not know where it began. Steps are chosen again, to 0.002 K.
     for (const double guess : {262.0, 322.0}) {
         PointJob other = job;
         other.initial_temperature = guess;

@@ -351,7 +351,7 @@ TEST_CASE("in flight properties are those of Eckert's reference temperature",
 // SAND2004-3535) fitted T − T_air = G exp(−3.47 − 0.0594 U), U the wind at 10 m, to measurements
 // outdoors; at a rack's 1.5 m over open ground two thirds of it are left. Here: 1.2 by 0.54 m at 40
 // degrees, four fifths of the light become heat, air of 280 K and 840 hPa, a clear sky of 0.75 σ
-// T_air⁴, ground as warm as the air. What is not known of the modules is worth 2 K.
+// T_air⁴, ground as warm as the air. Unknown properties of the modules change it by 2 K.
 TEST_CASE("a glass plate at 40 degrees is as warm as modules on racks were",
           "[thermal][film][by_history]") {
     constexpr double air_temperature = 280.0;

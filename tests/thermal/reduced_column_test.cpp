@@ -146,7 +146,7 @@ TEST_CASE("a day under a film, stepped in modes, is the closed form's at any ste
     CHECK(record.worst_closure < 1e-11);
 }
 
-TEST_CASE("light that goes and comes within a step is met to a tenth of a kelvin",
+TEST_CASE("light that vanishes and returns within a step is met to a tenth of a kelvin",
           "[thermal][modes][shadow][by_extreme]") {
     // The same facet in 10-minute steps, split where the light jumps, and in 1 s steps, every
     // jump between two of them: 700 W/m² go at 10:23:17 and come back at 12:51:43.

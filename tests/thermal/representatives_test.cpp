@@ -54,8 +54,8 @@ struct Twice {
 
 }  // namespace
 
-// What stands for its like in a world of two alike is that world once, to the bit.
-TEST_CASE("hills that stand for their likeness are those hills alone", "[thermal][solver]") {
+// A representative in a world of two equal hills is that world once, to the bit.
+TEST_CASE("hills that represent similar ones are those hills alone", "[thermal][solver]") {
     const World world(8);
     const SolveOptions options{.start = june};
     const SunExposure shade = shadows(world.facets, world.rays, tennessee, options);
@@ -117,7 +117,8 @@ TEST_CASE("hills that stand for their likeness are those hills alone", "[thermal
     CHECK(conducted[2 * n + n + 3] == expected.heat.of(HeatTerm::conducted)[n + 3]);
 }
 
-TEST_CASE("what lies on those that stand for others lies on these", "[thermal][solver]") {
+TEST_CASE("snow and water of representative facets lie on the represented ones",
+          "[thermal][solver]") {
     const Representatives who{.solved = {1, 3}, .place = {0, 0, 1, 1, 0}};
     SpanResult result;
     result.temperature.instant = {june, later(june, 600.0)};

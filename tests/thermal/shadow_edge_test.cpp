@@ -60,7 +60,7 @@ Material sheet(const char* name, Layer layer, double albedo, double emissivity) 
 
 }  // namespace
 
-TEST_CASE("a shadow's edge is found to seconds, and none where there is none",
+TEST_CASE("a shadow's edge is found to seconds, and none without a shadow",
           "[thermal][shadow][by_events]") {
     const SolveOptions options{.start = june};
     SunExposure sun = sampled(options);
@@ -85,7 +85,7 @@ TEST_CASE("10-minute steps follow shadows as 1 s steps of the layered column do"
     const MaterialLibrary library = default_material_library();
     for (const char* name : {"grass", "forest", "bare_soil", "rock", "asphalt", "painted_steel"}) {
         of.push_back(library[library.find(name)]);
-        of.back().thermal.store = {};  // dew that dries is worth 0.15 K beside
+        of.back().thermal.store = {};  // dew that dries changes 0.15 K
     }
     of.push_back(sheet("steel", {0.0015, 45.0, 7800.0, 500.0}, 0.3, 0.9));
     of.push_back(sheet("canvas", {0.001, 0.06, 500.0, 1340.0}, 0.25, 0.92));

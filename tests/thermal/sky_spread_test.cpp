@@ -12,7 +12,7 @@ using namespace diurna;
 
 namespace {
 
-/// A sky of 100 W/m² on level ground whose radiance is even but for `tilt` x, x towards the sun.
+/// A sky of 100 W/m² on level ground whose radiance is even except for `tilt` x, x towards the sun.
 SkyState leaning_sky(double azimuth, double tilt) {
     SkySpread spread;
     spread.uneven[3] = static_cast<float>(tilt);  // c₄, of x

@@ -126,7 +126,7 @@ TEST_CASE("days that repeat go on as they began", "[thermal][span]") {
     CAPTURE(days.start);
     CHECK(days.report.converged);
     CHECK(days.temperature.instant.size() == 121);
-    // By day each sun comes 13 s after the one before, worth up to 0.1 K where it grazes.
+    // By day each sun comes 13 s after the one before, which changes up to 0.1 K where it grazes.
     CHECK(apart_by_hour(whole, days.temperature, 0.0, 4.0) < 0.005);
     CHECK(apart_by_hour(whole, days.temperature, 21.0, 24.0) < 0.005);
     CHECK(apart_by_hour(whole, days.temperature) < 0.3);
@@ -214,9 +214,9 @@ SpanOptions two_days(SpanStart begin, int days_before) {
 
 }  // namespace
 
-// The truth: the same hills begun 120 days earlier. Level ground stands for slopes to 30 degrees:
+// The truth: the same hills begun 120 days earlier. Level ground represents slopes to 30 degrees:
 // the largest difference of any facet is reported within a factor of two.
-TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
+TEST_CASE("the effect of the start is reported", "[thermal][span][start]") {
     World world(8);
     world.weather = waves();
     const SolveInput input = input_of(world);
@@ -260,7 +260,7 @@ TEST_CASE("a start of which nothing better is known says so", "[thermal][span][s
 }
 
 // The state that a run leaves is where another goes on: two days in one are a day and a day.
-TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span][state]") {
+TEST_CASE("a span continues from the state of another, to 1e-4 K", "[thermal][span][state]") {
     World world(6);
     world.weather = waves();
     const SolveInput input = input_of(world);
@@ -326,7 +326,7 @@ TEST_CASE("a part of a day that repeats leaves the heat of its own end", "[therm
     }
 }
 
-TEST_CASE("ground goes on from day to day as it begins to freeze", "[thermal][span][frost]") {
+TEST_CASE("ground continues from day to day as it begins to freeze", "[thermal][span][frost]") {
     World world(2);
     const MaterialLibrary library = default_material_library();
     world.materials = MaterialLibrary({library[library.find("grass")]});

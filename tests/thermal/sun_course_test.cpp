@@ -120,7 +120,7 @@ TEST_CASE("measured minutes come back from their hours",
     }
 }
 
-TEST_CASE("measured light while the sun is down is skylight, and told",
+TEST_CASE("measured light while the sun is down is skylight, and reported",
           "[thermal][weather][hourly]") {
     const Minutes day = clear_day(60.0, "2026-01-10T00:00:00Z");
     Weather weather = means(day, 60, {true, false, false});

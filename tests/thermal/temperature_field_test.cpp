@@ -29,7 +29,7 @@ TemperatureField ramp(std::size_t facets) {
 
 }  // namespace
 
-TEST_CASE("temperatures between kept instants lie on the line, beyond them they stay",
+TEST_CASE("temperatures are linear between stored instants, constant beyond them",
           "[thermal][temperature_field]") {
     const TemperatureField field = ramp(4);
     CHECK(field.interpolate(later(field.instant[0], 900.0))[1] == Approx(281.25));
@@ -105,7 +105,7 @@ TEST_CASE("a file that holds no temperatures is refused in one line",
                     std::runtime_error);
 }
 
-TEST_CASE("what a killed run has left of a file goes when it is written anew",
+TEST_CASE("what a killed run has left of a file is removed when it is written again",
           "[thermal][temperature_field]") {
     const ScratchFolder folder("temperature_field_left");
     const FacetSet facets = hills(4, {MaterialId{0}});

@@ -29,7 +29,8 @@ TEST_CASE("a column's name is known by its words", "[thermal][weather_file]") {
     CHECK(looks_like(name) == quantity);
 }
 
-TEST_CASE("a column that only begins like a quantity is none", "[thermal][weather_file]") {
+TEST_CASE("a column that only begins like a quantity is not read as one",
+          "[thermal][weather_file]") {
     const std::string name = GENERATE(
         "wind_direction", "Wdir", "wind_gust_kn", "Clearsky DNI", "clear_sky_ghi", "cloud_type",
         "Solar Zenith Angle", "Fill Flag", "station", "remarks", "id", "Surface Albedo",

@@ -35,7 +35,7 @@ double kelvin_at(const Weather& weather, const char* when) {
 
 }  // namespace
 
-TEST_CASE("hours that a clock shows twice are two hours, one that it leaves out is none",
+TEST_CASE("hours that a clock shows twice are two hours, a skipped one does not exist",
           "[thermal][weather_file][clock]") {
     const Weather back = read(
         "2026-11-01T00:30:00-04:00 2026-11-01T01:30:00-04:00 2026-11-01T01:30:00-05:00 "

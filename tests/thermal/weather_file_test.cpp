@@ -118,7 +118,7 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
               "denver.epw:9"));
 }
 
-TEST_CASE("a typical year stands for the year that is asked for", "[thermal][weather_file]") {
+TEST_CASE("a typical year represents the requested year", "[thermal][weather_file]") {
     const ScratchFolder folder("typical");
     const auto file = folder.path / "typical.epw";
     std::string rows;
@@ -142,7 +142,7 @@ TEST_CASE("a typical year stands for the year that is asked for", "[thermal][wea
                   "2026-01-31T12:00:00-07:00") == Approx(1.0));
     CHECK(celsius("2027-02-28T12:00:00-07:00", "2027-03-01T12:00:00-07:00",
                   "2027-03-01T02:00:00-07:00") == Approx(4.0));
-    // No typical year has a 29 February: in a leap year the day before stands for it.
+    // No typical year has a 29 February: in a leap year the day before represents it.
     const auto leap = [&](const char* at) {
         return celsius("2028-02-28T12:00:00-07:00", "2028-03-01T12:00:00-07:00", at);
     };
@@ -177,7 +177,7 @@ TEST_CASE("TMY3: 24:00 is midnight, wind and air are of the stamp", "[thermal][w
     CHECK(std::isnan(w.sample.back().shortwave_down));  // missing at the end: modelled
 }
 
-TEST_CASE("SURFRAD: minutes end at their stamp, flags tell bad from good",
+TEST_CASE("SURFRAD: minutes end at their stamp, flags separate bad from good",
           "[thermal][weather_file]") {
     const ScratchFolder folder("surfrad");
     const auto file = folder.path / "abc19196.dat";

@@ -22,7 +22,7 @@ const std::string header =
     "time,air_temperature_K,wind_speed_m_s,shortwave_down_W_m2,longwave_down_W_m2\n";
 
 /// Hourly rows of June 2020 from hour `from` to hour `to`: T = 280 + h, wind h / 10, sun 10 h,
-/// longwave 300 + h; but for hours between `out_from` and `out_to`, both skipped.
+/// longwave 300 + h; except for hours between `out_from` and `out_to`, both skipped.
 std::string hours(int from, int to, int out_from = -1, int out_to = -2) {
     std::string rows;
     for (int h = from; h <= to; ++h) {
@@ -148,7 +148,7 @@ TEST_CASE("gaps of single quantities are found among rows that are there",
     CHECK(has(w.note, "longwave"));  // its column is empty throughout
 }
 
-TEST_CASE("sunlight that a file leaves out at night is none", "[thermal][weather_file]") {
+TEST_CASE("sunlight that a file omits at night is zero", "[thermal][weather_file]") {
     const ScratchFolder folder("night");
     const auto file = folder.path / "w.csv";
     std::string text = "time,air_temperature_K,direct_normal_W_m2,diffuse_W_m2\n";

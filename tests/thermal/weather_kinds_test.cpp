@@ -147,7 +147,7 @@ TEST_CASE("SolarAnywhere: means that end at the stamp", "[thermal][weather_file]
     CHECK(has(w.note, "a typical year"));
 }
 
-TEST_CASE("times stand in several columns, codes are missing", "[thermal][weather_file]") {
+TEST_CASE("times are in several columns, codes are missing values", "[thermal][weather_file]") {
     const ScratchFolder folder("time_parts");
     const auto file = folder.path / "parts.csv";
     const auto columns = [](std::initializer_list<std::pair<const char*, const char*>> list) {

@@ -161,7 +161,7 @@ TEST_CASE("a clock in a column of its own has hours and minutes", "[thermal][wea
     }
 }
 
-TEST_CASE("lines above the header are passed over", "[thermal][weather_file][csv]") {
+TEST_CASE("lines above the header are skipped", "[thermal][weather_file][csv]") {
     const ScratchFolder folder("preamble");
     const auto file = folder.path / "table.csv";
     WeatherOptions options;

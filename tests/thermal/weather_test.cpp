@@ -46,7 +46,8 @@ TEST_CASE("a mean counts in the middle of its interval, an instant where it stan
     CHECK(weather.note.find("longwave") != std::string::npos);
 }
 
-TEST_CASE("mistakes in a weather file are told with their place", "[thermal][weather][errors]") {
+TEST_CASE("mistakes in a weather file are reported with their place",
+          "[thermal][weather][errors]") {
     const ScratchFolder folder("weather_bad");
     const auto file = folder.path / "w.csv";
     const std::string row = "2020-06-01T00:00:00Z,280,1,0\n";

@@ -15,7 +15,7 @@
 
 using namespace diurna;
 
-// What a weather file says that can hardly be true: measured days as they are, and the same with
+// Implausible values of weather files: measured days as they are, and the same with
 // their times moved by a known number of hours.
 
 namespace {
@@ -90,7 +90,7 @@ bool reported(const std::vector<Mistake>& warnings, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("measured days raise no doubt", "[thermal][weather][warnings]") {
+TEST_CASE("measured days raise no warning", "[thermal][weather][warnings]") {
     for (const MeasuredDays& days : measured_days()) {
         CAPTURE(days.site.latitude_deg, format_instant(days.begin));
         Weather weather = days.weather;
@@ -102,7 +102,7 @@ TEST_CASE("measured days raise no doubt", "[thermal][weather][warnings]") {
     }
 }
 
-TEST_CASE("measured days moved by hours are found out to a quarter of an hour",
+TEST_CASE("shifts of measured days are found to a quarter of an hour",
           "[thermal][weather][warnings]") {
     const double hours = GENERATE(-7.0, -4.0, -1.0, 2.0, 5.5, 9.0);
     for (const MeasuredDays& days : measured_days()) {
@@ -151,7 +151,7 @@ TEST_CASE("units that are not a column's are refused with the one they look like
     CHECK(has(says("relative_humidity", 65.0), "\"relative_humidity %\""));
     CHECK(has(says("cloud_fraction", 7.0), "\"cloud_fraction okta\""));
     CHECK(has(says("shortwave_down_W_m2", 1800000.0), "\"shortwave_down J/m2\""));
-    // And what is reported mends it.
+    // And the reported remedy is right.
     write_text(folder.path / "w.csv", "time,air_temperature_K\n2024-06-01T00:00:00Z,21.5\n");
     const WeatherOptions options{
         .columns = {declared_column("air_temperature_K", "air_temperature degC", "here")}};
@@ -159,7 +159,7 @@ TEST_CASE("units that are not a column's are refused with the one they look like
           Approx(294.65));
 }
 
-TEST_CASE("what cannot be measured at the ground is doubted", "[thermal][weather][warnings]") {
+TEST_CASE("values that cannot occur at the ground raise warnings", "[thermal][weather][warnings]") {
     const Site site{.latitude_deg = 48.0, .longitude_deg = 10.0};
     CHECK(reported(warnings_of(clear_week(site, 115.0), site), "air_temperature_K"));
     CHECK(reported(warnings_of(clear_week(site, 345.0), site), "air_temperature_K"));

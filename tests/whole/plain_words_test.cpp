@@ -210,6 +210,26 @@ TEST_CASE("texts of sources are found: joined, without comments", "[whole][words
     CHECK(found_in("hopeful, untold and felting are words of their own") == nullptr);
 }
 
+TEST_CASE("names of tests are in plain words", "[whole][words]") {
+    std::size_t names = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+        if (!entry.path().filename().string().ends_with("_test.cpp")) continue;
+        const std::string source = text_of(entry.path());
+        for (std::size_t at = source.find("\nTEST_CASE("); at != std::string::npos;
+             at = source.find("\nTEST_CASE(", at + 1)) {
+            const std::string name =
+                literals_of(source.substr(at, source.find(") {", at) - at)).at(0).text;
+            ++names;
+            const Phrase* const phrase = found_in(name);
+            if (phrase == nullptr) continue;
+            FAIL_CHECK(entry.path().filename().string()
+                       << ": \"" << name << "\": " << phrase->held_out
+                       << "; instead: " << phrase->instead);
+        }
+    }
+    CHECK(names > 1000);
+}
+
 TEST_CASE("texts that a user reads are in plain words", "[whole][words]") {
     std::size_t texts = 0;
     for (const char* folder : {"materials", "terrain", "thermal", "render", "scenes", "python"}) {

@@ -1,4 +1,4 @@
-// The radiance of pixels added up anew (tests/support/redone.hpp), within 0.5 %.
+// The radiance of pixels added up again (tests/support/redone.hpp), within 0.5 %.
 
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -46,7 +46,7 @@ TEST_CASE("equations are numbered from one on, each once", "[layering]") {
     }
 }
 
-TEST_CASE("the code names every equation, and none that is not there", "[layering]") {
+TEST_CASE("the code names every equation, and only existing ones", "[layering]") {
     const std::map<int, int> numbers = equations();
     const std::regex named(R"(\(T(\d+)\) of docs/theory\.md)");
     std::set<int> computed;

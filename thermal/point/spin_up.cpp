@@ -34,7 +34,7 @@ SpunUp make_periodic(PointFacet& facet, Instant from, Instant to) {
             spun.residual <= periodic_tolerance && spun.standing_residual <= standing_tolerance;
         if (spun.converged) break;
         // Where a front of freezing passes other nodes than it did, the map before misleads: a
-        // plain pass brings it on its way.
+        // plain pass brings it closer.
         const bool astray = spun.residual > 0.5 * before && !plain;
         plain = astray && !facet.column.linear();
         before = spun.residual;

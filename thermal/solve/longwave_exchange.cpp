@@ -25,7 +25,7 @@ struct Field {
     std::size_t used;  // instants
     std::vector<float> leaving, change;
     std::vector<float> most;          // (facet) largest |change|
-    std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` may be worth sending
+    std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` may be large enough to send
     std::vector<float> itself;        // (facet) share of its own like that it sees
     float open = 1.0f;  // 1 − the greatest share of longwave that comes back from a facet
     /// What arrives for each W m⁻² of others', to and fro between a facet and its own like.
@@ -209,7 +209,7 @@ Eigen::MatrixXf arrived_heat(std::span<const std::size_t> facets, float emissivi
     return heat;
 }
 
-/// Tells what more facets send that are warmer by so much, (instant, facet). What comes back from
+/// Reports what more facets send that are warmer by so much, (instant, facet). What comes back from
 /// their own like has been followed with it (left_of_slopes).
 void send_more(SolveState& solve, const Level& level, std::span<const std::size_t> facets,
                const Eigen::MatrixXd& warmer, Field& field) {

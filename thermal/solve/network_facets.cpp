@@ -90,7 +90,7 @@ double NetworkFacets::moved(const Target& target) const {
     return most;
 }
 
-/// [K] of a day from what many more would lead to, and of what neighbours' heat since is worth.
+/// [K] of a day from what many more would lead to, and of what neighbours' heat has changed since.
 double NetworkFacets::error(const Target& target) const {
     const double open = solve_.options.periodic ? target.move : 0.0;
     return std::max(open, target.closed ? moved(target) / usual_loss_of_network : 0.0);

@@ -328,7 +328,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         facet.set_snow_albedo(p.start.snow_albedo);
         const auto size = static_cast<Eigen::Index>(start.size());
         // Where a front of freezing passes other nodes than it did, the map before misleads: a
-        // plain pass brings it on its way, and needs no map.
+        // plain pass brings it closer, and needs no map.
         const bool newton = periodic && !astray && !p.alternates;
         Eigen::MatrixXd map;
         if (newton) map = Eigen::MatrixXd::Identity(size, size);

@@ -33,7 +33,7 @@ FacetSet chosen(const FacetSet& whole, const Representatives& r) {
     return part;
 }
 
-/// Rows of solved facets; entries that one facet stands for become one.
+/// Rows of solved facets; entries that one facet represents become one.
 ViewFactors chosen(const ViewFactors& whole, const Representatives& r) {
     ViewFactors part;
     part.row.reserve(r.solved.size() + 1);
@@ -92,7 +92,7 @@ std::vector<float> spread(const Representatives& r, const std::vector<float>& pa
     return whole;
 }
 
-/// What lies on solved facets lies on those that they stand for.
+/// What lies on solved facets lies on those that they represent.
 CoveredFacets spread(const Representatives& r, const CoveredFacets& part, std::size_t solved) {
     std::vector<std::uint32_t> place_in_part(solved, no_number);
     for (std::size_t i = 0; i < part.facet.size(); ++i) {
@@ -142,7 +142,7 @@ void append(std::vector<T>& to, std::size_t before, const std::vector<T>& more, 
     to.resize(before + count, usual);
 }
 
-/// What patches see, of each facet the one that stands for it.
+/// What patches see, of each facet the one that represents it.
 void append(FacetViews& views, const FacetViews& more, const Representatives& r) {
     const std::size_t before = views.sky.size(), count = more.sky.size();
     append(views.hidden, before, more.hidden, count, 0.0f);

@@ -15,7 +15,7 @@ constexpr double reference_density = 1.204;  // [kg m⁻³] 20 °C, 1013 hPa
 constexpr double property_exponent = 0.31;   // half of that by which `third` falls with T: −0.69,
                                              // and the turbulent plate's: −0.56
 constexpr double cylinder_transition = 282000;  // Re of Churchill & Bernstein
-// (1 + z^⅝)^⅘ ≈ 1 + 0.74 z^0.565, 1.5 % from nought to z = 35, z = Re / 282000
+// (1 + z^⅝)^⅘ ≈ 1 + 0.74 z^0.565, 1.5 % from zero to z = 35, z = Re / 282000
 constexpr double cylinder_share = 0.74, cylinder_power = 0.565;
 constexpr double box_power = 0.675;
 constexpr double tarp_exposure = 0.75;  // W_f of a wall: mean of windward 1 and leeward 0.5

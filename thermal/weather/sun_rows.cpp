@@ -224,7 +224,7 @@ std::vector<SunRow> sun_rows(const Weather& weather, ClearCourse& clear, Separat
         if (row.lit) {
             divide(weather, row, clear, separation, haze[r], report);
         } else if (row.skylight > dark_noise && !(row.clear.mean_sine() > 0.0)) {
-            // What shines without a sun is skylight.
+            // Light without a sun is skylight.
             ++report.in_the_dark;
             report.brightest_dark = std::max(report.brightest_dark, row.skylight);
         }

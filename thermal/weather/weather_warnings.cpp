@@ -20,13 +20,13 @@ constexpr double solar_constant = 1361.0;  // [W m⁻²] at 1 AU (Kopp & Lean 20
 constexpr double least_lag = 2400.0;       // [s] valleys' late dawns make less
 constexpr double about = 5.0 * 86400.0;    // [s] before and behind the middle, for the lag
 
-/// A kind of doubt: how many samples it is of, and which comes first.
+/// A kind of warning: how many samples it is of, and which comes first.
 struct Kind {
     std::string hint;
     std::string first{};
     std::size_t count = 0;
 
-    /// NaN is no doubt.
+    /// NaN raises no warning.
     void look(double value, double least, double most, Instant when, const char* what) {
         if (!(value < least || value > most)) return;
         if (count++ > 0) return;
@@ -129,7 +129,7 @@ std::string hours(double seconds) {
                              : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-/// What would mend the times, from how far they are off [s].
+/// What would correct the times, from how far they are off [s].
 std::string mend_of(double lag, double longitude_deg, bool declarable) {
     if (!declarable) {
         return fmt::format("check the time zone in the file's header and site.longitude_deg = {:g}",
@@ -147,7 +147,7 @@ std::string mend_of(double lag, double longitude_deg, bool declarable) {
 }
 
 /// Light at night, no light by day, and a course that is not the sun's. Returns whether times are
-/// in doubt.
+/// uncertain.
 bool warn_of_times(const Weather& weather, const Site& site, Instant begin, Instant end,
                    const std::string& where, std::vector<Mistake>& warnings) {
     const Instant middle = later(begin, 0.5 * seconds_between(begin, end));

@@ -25,7 +25,7 @@ namespace diurna {
 ///   course of light that is more than 40 minutes off the sun's (sun_lag.hpp), within 5 days of the
 ///   middle
 ///
-/// - light that contradicts itself (light_contradictions.hpp), where times are not in doubt
+/// - light that contradicts itself (light_contradictions.hpp), where times are not uncertain
 ///
 /// The weather's own warnings come first. The sun is that of its station, where the file names one
 /// more than a degree from the site. Hints advise what the file's format allows.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t header_lines = 8;
 
-/// A column that becomes a quantity as it stands: where it is, its code for missing, its unit.
+/// A column that becomes a quantity unchanged: where it is, its code for missing, its unit.
 struct EpwColumn {
     std::size_t column;
     double missing;

@@ -22,7 +22,7 @@ bool typical(const std::vector<LocalRow>& rows) {
 bool on(const LocalRow& row, int month, int day) { return row.month == month && row.day == day; }
 
 /// The rows of a typical year in the order of a given one, each with its day of February there: a
-/// leap day of the file goes by in common years; in leap years the day before stands for one that
+/// leap day of the file goes by in common years; in leap years the day before represents one that
 /// is not in the file.
 std::vector<std::pair<std::size_t, int>> rows_of_year(const std::vector<LocalRow>& rows, int year) {
     const bool leap = std::chrono::year(year).is_leap();

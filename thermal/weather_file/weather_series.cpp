@@ -26,7 +26,7 @@ double interval_at(const std::vector<Instant>& stamp, std::size_t row, Stamp sta
     return step > 1.5 * usual ? usual : step;
 }
 
-/// The instants that rows stand for.
+/// The instants that rows represent.
 std::vector<Instant> placed(const WeatherTable& table, Stamp stamps) {
     std::vector<Instant> instant = table.stamp;
     if (stamps == Stamp::instant) {
@@ -41,7 +41,7 @@ std::vector<Instant> placed(const WeatherTable& table, Stamp stamps) {
     return instant;
 }
 
-/// A column at the instants that rows stand for: as it is, or from the line between the stamps.
+/// A column at the instants that rows represent: as it is, or from the line between the stamps.
 std::vector<double> at_instants(const WeatherTable& table, Quantity quantity,
                                 const std::vector<Instant>& instant) {
     const std::vector<double>& column = table.of(quantity);
@@ -61,7 +61,7 @@ std::vector<double> at_instants(const WeatherTable& table, Quantity quantity,
     return moved;
 }
 
-/// One line of what a file does not tell and what stands for it; empty where nothing is missing.
+/// One line of what a file does not contain and what replaces it; empty where nothing is missing.
 std::string tell_absent(const WeatherTable& table) {
     std::string absent;
     const auto say = [&](const std::string& what) {

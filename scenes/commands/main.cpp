@@ -17,6 +17,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/plain_text.hpp"
 #include "materials/base/unfinished.hpp"
+#include "scenes/commands/audit_command.hpp"
 #include "scenes/commands/calibrate_command.hpp"
 #include "scenes/commands/check_command.hpp"
 #include "scenes/commands/column_command.hpp"
@@ -52,7 +53,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_column_verb,    add_path_verb,   add_sun_verb,   add_mesh_verb,      add_visibility_verb,
     add_materials_verb, add_model_verb,  add_movie_verb, add_verify_verb,    add_keys_verb,
     add_doctor_verb,    add_study_verbs, add_new_verb,   add_calibrate_verb, add_pages_verb,
-    add_inspect_verb,   add_export_verb, add_merge_verb, add_slurm_verb,
+    add_inspect_verb,   add_export_verb, add_merge_verb, add_slurm_verb,     add_audit_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

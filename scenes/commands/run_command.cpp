@@ -166,6 +166,13 @@ void add_run_verb(CLI::App& app) {
     verb->add_option("--out", run->job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", run->job.resume,
                    "reuse the results of an earlier run with the same inputs");
+    whole_within(
+        verb->add_option_function<int>(
+            "--checks",
+            [a](int count) { a->settings.push_back(fmt::format("scene.check_points={}", count)); },
+            "places in pictures to solve separately, to measure the error of the "
+            "temperatures there (default: scene.check_points)"),
+        0, 4096);
     verb->add_option("--shard", run->shard,
                      "I/N: compute part I of N of the pictures (or of a sweep's variants); 0/N: "
                      "temperatures only");

@@ -63,6 +63,16 @@ std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb) {
     return a;
 }
 
+void add_common_options(CLI::App& verb, SceneArguments& arguments) {
+    whole_within(verb.add_option("--threads", arguments.threads,
+                                 "number of worker threads; 0: one per core"),
+                 0, 1024);
+    verb.add_option("--progress", arguments.progress, "progress messages: json, none or auto")
+        ->check(CLI::IsMember({"json", "none", "auto"}));
+    verb.add_flag("--allow-outside", arguments.allow_outside,
+                  "permit input files outside the scene's folder and the program's data");
+}
+
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
     auto a = std::make_shared<SceneArguments>();
     verb.add_option("SCENE", a->scene, "scene file (TOML)")->required();
@@ -70,13 +80,7 @@ std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
         "--set", a->settings,
         "KEY=VALUE replaces a value of the scene: observer.east.width=320 (or observer.0.width); "
         "lists and texts as in the file, single words without quotes");
-    whole_within(
-        verb.add_option("--threads", a->threads, "number of worker threads; 0: one per core"), 0,
-        1024);
-    verb.add_option("--progress", a->progress, "progress messages: json, none or auto")
-        ->check(CLI::IsMember({"json", "none", "auto"}));
-    verb.add_flag("--allow-outside", a->allow_outside,
-                  "permit input files outside the scene's folder and the program's data");
+    add_common_options(verb, *a);
     return a;
 }
 

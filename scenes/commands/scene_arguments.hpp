@@ -44,6 +44,9 @@ void tell_of_sweep(const Scene& scene);
 void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
                 const std::string& more = "");
 
+/// The options --threads, --progress and --allow-outside, read into `arguments`, which must outlive
+/// the verb.
+void add_common_options(CLI::App& verb, SceneArguments& arguments);
 /// The arguments of a verb, read into the returned object.
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb);
 /// The same for a verb that uses cached results.

@@ -127,12 +127,17 @@ std::string not_converged(const SolveReport& report) {
 
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
+bool can_check(const Prepared& prepared) {
+    return prepared.movement.none() && !prepared.scene.output.state &&
+           prepared.scene.time.spin_up != SpanStart::state;
+}
+
 namespace {
 
 /// The span of representative facets, and of check points beside them.
-SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
-                        const Representatives& who, const Prepared& scene,
-                        const CheckPoints& points) {
+SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
+                         const Representatives& who, const Prepared& scene,
+                         const CheckPoints& points) {
     std::vector<std::unique_ptr<SolvedPart>> part;
     std::vector<SpanStage> solved;
     for (const SpanStage& stage : stages) {
@@ -146,7 +151,7 @@ SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& op
                           },
                           stage.early});
     }
-    SpanResult result = solve_span(solved, options);
+    SolvedScene result{solve_span(solved, options)};
     const std::size_t facets = who.solved.size(), beside = points.beside.size();
     std::vector<float> patches;
     for (std::size_t i = 0; beside > 0 && i < result.temperature.instant.size(); ++i) {
@@ -155,16 +160,11 @@ SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& op
     }
     spread(who, result, beside);
     if (beside > 0) {
-        const CheckError error = check_error(scene, points, result.temperature, patches);
-        result.notes.push_back(in_words(error, points, scene.scene.tolerance));
+        result.check = check_error(scene, points, result.temperature, patches);
+        result.places = points.point.size();
+        result.notes.push_back(in_words(result.check, points, scene.scene.tolerance));
     }
     return result;
-}
-
-/// Whether points can be solved besides: nothing moves, and no state is read or kept.
-bool can_check(const Prepared& scene) {
-    return scene.movement.none() && !scene.scene.output.state &&
-           scene.scene.time.spin_up != SpanStart::state;
 }
 
 /// (facet that rays know) 1 where it or a level of a texture in its place is solved.
@@ -191,7 +191,7 @@ std::string reported(const NeededFacets& needed, const TemperatureField& field) 
 
 }  // namespace
 
-SpanResult solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision) {
+SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision) {
     const Prepared& scene = stages.scene();
     const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage(StageId::heat_balance);
@@ -219,12 +219,13 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, const HeatDecis
         points = check_points(stages, first.input().network, decision.check_points);
     }
     const bool whole_scene = !needed && points.point.empty();
-    SpanResult result =
-        whole_scene ? solve_span(parts, span)
+    SolvedScene result =
+        whole_scene ? SolvedScene{solve_span(parts, span)}
                     : solve_needed(parts, span,
                                    needed ? needed->who
                                           : all_represent_themselves(scene.world.surfaces().size()),
                                    scene, points);
+    result.unchecked = points.skipped;
     if (points.point.empty() && points.skipped > 0) {
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));
     }

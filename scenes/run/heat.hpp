@@ -7,6 +7,7 @@
 #include "scenes/cache/inputs.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
+#include "scenes/run/check_error.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
@@ -19,6 +20,17 @@ std::string not_converged(const SolveReport& report);
 /// instant: before anything is written.
 void check_start(const Prepared& prepared);
 
+/// Whether places in pictures can be solved separately: nothing moves, and no state is read or
+/// written.
+bool can_check(const Prepared& prepared);
+
+/// Temperatures of a scene, and their error at check points.
+struct SolvedScene : SpanResult {
+    CheckError check{};
+    std::size_t places = 0;     // that were checked
+    std::size_t unchecked = 0;  // drawn on panes, nets, sheets, targets, copies
+};
+
 /// Shadows and heat balance, stage by stage: only temperatures. Throws InputError as
 /// check_start(). Where the plan decides that not every facet is solved, those that are neither
 /// visible in pictures nor thermally coupled to visible ones use representatives' temperatures
@@ -28,7 +40,8 @@ void check_start(const Prepared& prepared);
 ///
 /// - decision: that of the plan for a run with pictures (Plan::decisions); by default every facet
 ///   is solved, without check points
-SpanResult solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision = {});
+SolvedScene solve_scene(const Stages& stages, Progress& progress,
+                        const HeatDecision& decision = {});
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and also the state at the end, if the scene

@@ -57,6 +57,10 @@ ListedOutputs listed_outputs(const fs::path& folder) {
     add(json, "outputs", "", listed);
     if (!json.contains("variants")) {  // of a run
         listed.done = listed_text(json, "state") == "done";
+        listed.scene = listed_text(json, "scene_file");
+        for (const Json& setting : json.value("settings", Json::array())) {
+            if (setting.is_string()) listed.settings.push_back(setting.get<std::string>());
+        }
         return listed;
     }
     listed.done = true;  // a sweep's is written last

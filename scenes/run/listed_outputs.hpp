@@ -12,6 +12,8 @@ namespace diurna {
 struct ListedOutputs {
     bool found = false;                           // a manifest.json written by diurna
     bool done = false;                            // the run is complete
+    std::filesystem::path scene{};                // of a run: its scene file
+    std::vector<std::string> settings{};          // of its command line
     std::map<std::string, std::string> digest{};  // SHA-256 by name, relative to the folder
 };
 ListedOutputs listed_outputs(const std::filesystem::path& folder);

@@ -91,6 +91,7 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     if (!manifest.not_converged.empty()) json["not_converged"] = manifest.not_converged;
     json["key"] = manifest.key;
     json["scene"] = scene.name;
+    json["scene_file"] = fs::absolute(scene.file).lexically_normal().string();
     json["seed"] = scene.seed;
     json["settings"] = manifest.settings;
     if (!manifest.only.empty()) json["only"] = manifest.only;

@@ -114,6 +114,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"boost/math/", {"materials/base/least_squares.cpp", "scenes/studies/crossings.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp",
+      "scenes/commands/audit_command.cpp",
       "scenes/commands/calibrate_command.cpp",
       "scenes/commands/check_command.cpp",
       "scenes/commands/column_command.cpp",

@@ -163,6 +163,18 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Wo
     return all;
 }
 
+/// [m/m] of triangles around what is refined: neighbours differ by a factor of at most 1.3.
+constexpr double edge_growth = 0.5;
+
+/// - ring: of the patch, on the raster
+Footprint refinement(const Ring& ring, const GroundPatch& patch) {
+    return {.ring = ring,
+            .largest_edge = patch.largest_edge,
+            .owner = false,
+            .border = false,
+            .growth = edge_growth};
+}
+
 double area_of(const Ring& ring) {
     double twice = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -205,8 +217,8 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
                 fmt::format("ground \"{}\" is entirely outside the elevation data", polygon.name),
                 "its corners are in metres east and north of the site");
         }
-        cuts.add({ring, polygon.largest_edge}, polygon.material,
-                 polygon.material.empty() ? 0 : object);
+        cuts.add({.ring = ring, .largest_edge = polygon.largest_edge, .growth = edge_growth},
+                 polygon.material, polygon.material.empty() ? 0 : object);
     }
     cuts.first_building = cuts.footprint.size();
     cuts.of_plan.resize(buildings.size());
@@ -215,18 +227,21 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
         cuts.of_plan[i] = static_cast<std::int32_t>(cuts.footprint.size());
         cuts.add({.ring = raster_places(dem, site, plan.ring),
                   .largest_edge = plan.foot_edge,
-                  .lattice = false},
+                  .lattice = false,
+                  .growth = edge_growth},
                  "", Cuts::nothing);
         for (const Ring& court : plan.hole) {
             constexpr double most_triangles = 2000.0;
             cuts.add({.ring = raster_places(dem, site, court),
                       .largest_edge = plan.foot_edge,
-                      .lattice = area_of(court) < most_triangles * std::pow(plan.foot_edge, 2)},
+                      .lattice = area_of(court) < most_triangles * std::pow(plan.foot_edge, 2),
+                      .growth = edge_growth,
+                      .inward = true},
                      "", Cuts::courtyard);
         }
     }
     for (const GroundPatch& patch : patches_of(scene, dem, world)) {
-        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+        cuts.footprint.push_back(refinement(raster_places(dem, site, patch.ring), patch));
     }
     for (const ObjectInput& input : scene.terrain.objects) {
         const auto ground = ground_if_any(dem, site, input.place);
@@ -235,16 +250,7 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
             stand_point(world, dem, input.place, input.stands, input.where).z() - ground->z();
         for (const GroundPatch& patch : jet_patches(input, over_ground)) {
             const Ring ring = raster_places(dem, site, patch.ring);
-            if (lies_on(dem, ring)) cuts.footprint.push_back({ring, patch.largest_edge});
-        }
-    }
-    for (const WalledPlan& plan : buildings) {
-        for (const GroundPatch& ring : rings_round(plan.ring, plan.height, plan.foot_edge)) {
-            if (!lies_on(dem, raster_places(dem, site, ring.ring))) continue;
-            cuts.footprint.push_back({.ring = raster_places(dem, site, ring.ring),
-                                      .largest_edge = ring.largest_edge,
-                                      .lattice = false,
-                                      .owner = false});
+            if (lies_on(dem, ring)) cuts.footprint.push_back(refinement(ring, patch));
         }
     }
     return cuts;

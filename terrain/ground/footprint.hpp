@@ -20,6 +20,11 @@ struct Footprint {
     double largest_edge = std::numeric_limits<double>::infinity();
     bool lattice = true;  // inside the ring too, not only on it
     bool owner = true;    // of the triangles inside; else it only refines the mesh
+    bool border = true;   // the ring is a line of the mesh
+    /// [m/m] Growth of triangle edges with distance from the ring, outside it (grade_round.hpp);
+    /// without a lattice `inward` grades the inside instead. Infinite: not graded.
+    double growth = std::numeric_limits<double>::infinity();
+    bool inward = false;
 };
 
 /// The part of its ring on the raster. Throws InputError for a ring of less than three corners,

@@ -1,16 +1,13 @@
 #include "terrain/ground/ground_mesh.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "terrain/ground/cut_network.hpp"
 #include "terrain/ground/detail_outline.hpp"
+#include "terrain/ground/grade_round.hpp"
 #include "terrain/ground/mesh_lattice.hpp"
 #include "terrain/ground/post_scan.hpp"
 #include "terrain/ground/ring_index.hpp"
@@ -21,17 +18,9 @@ namespace diurna {
 
 namespace {
 
-struct VertexNote {
-    float height = std::numeric_limits<float>::quiet_NaN();
-    std::uint32_t number = 0;
-};
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexNote, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Constrained =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+using cut::Constrained;
+using cut::Kernel;
+using cut::VertexNote;
 
 /// The network while it is being cut.
 class Cutting {
@@ -69,16 +58,40 @@ class Cutting {
         }
         rings_.push_back(border.size() < 3 || !footprint.owner ? Ring{} : border);
         if (border.size() < 3) return;  // smaller than the snapping distance
-        std::vector<Constrained::Vertex_handle> vertices;
-        for (const Eigen::Vector2d& p : border) vertices.push_back(add(p));
-        keep_line(vertices);
+        if (footprint.border) {
+            std::vector<Constrained::Vertex_handle> vertices;
+            for (const Eigen::Vector2d& p : border) vertices.push_back(add(p));
+            keep_line(vertices);
+        }
+        if (std::isfinite(footprint.growth) && std::isfinite(footprint.largest_edge)) {
+            const bool inward = footprint.inward && !footprint.lattice;
+            grading_.push_back({.ring = border,
+                                .edge = footprint.largest_edge,
+                                .growth = footprint.growth,
+                                .side = inward ? Grading::Side::inside : Grading::Side::outside,
+                                .filled = footprint.lattice});
+        }
         if (std::isfinite(footprint.largest_edge) && footprint.lattice) {
             for (const Eigen::Vector2d& own :
                  lattice_inside(corners, own_border, footprint.largest_edge, lattice.spacing)) {
                 const Eigen::Vector2d p = lattice.to_coarse(own);
-                if (!beside_vertex_post(p, 0.3 * footprint.largest_edge)) add(p);
+                if (beside_vertex_post(p, 0.3 * footprint.largest_edge)) continue;
+                if (!footprint.border && beside_vertex(p, 0.4 * footprint.largest_edge)) continue;
+                add(p);
             }
         }
+    }
+
+    /// Makes triangles around footprints grow gradually. Returns whether any vertex was added.
+    bool grade() {
+        const std::size_t before = mesh_.number_of_vertices();
+        give_heights_to_crossings();
+        std::uint32_t number = 0;
+        for (Grading& grading : grading_) {
+            grading.number = ++number;
+            grade_round(grading, dem_, lattices_.front().spacing, mesh_);
+        }
+        return mesh_.number_of_vertices() > before;
     }
 
     /// Puts back the posts that the cuts have left further than the tolerance from the mesh. Each
@@ -214,6 +227,19 @@ class Cutting {
                lattice.is_vertex[lattice.index(int(post.x()), int(post.y()))];
     }
 
+    /// Whether a corner of the triangle at a place is that near [m].
+    bool beside_vertex(const Eigen::Vector2d& p, double distance) const {
+        if (mesh_.dimension() < 2) return false;
+        const auto face = mesh_.locate(Kernel::Point_2(p.x(), p.y()), near_last());
+        const Eigen::Vector2d& spacing = lattices_.front().spacing;
+        for (int k = 0; face != nullptr && k < 3; ++k) {
+            if (mesh_.is_infinite(face->vertex(k))) continue;
+            const Eigen::Vector2d off = cut::plan_of(face->vertex(k)) - p;
+            if (off.cwiseProduct(spacing).norm() < distance) return true;
+        }
+        return false;
+    }
+
     void give_heights_to_crossings() {
         for (const auto vertex : mesh_.finite_vertex_handles()) {
             if (std::isnan(vertex->info().height)) {
@@ -240,6 +266,7 @@ class Cutting {
     Constrained mesh_;
     Constrained::Vertex_handle last_;  // the next point is often near the last one
     std::vector<Ring> rings_;
+    std::vector<Grading> grading_{};
 };
 
 GroundMesh without_footprints(const Dem& dem, const Tin& tin) {
@@ -276,6 +303,7 @@ GroundMesh ground_mesh(const Dem& dem, const Tin& tin, double tolerance,
     Cutting cutting(dem, tin, on_detail);
     for (std::size_t i = 0; i < footprints.size(); ++i) cutting.cut(footprints[i], i);
     cutting.restore(tolerance, weight);
+    if (cutting.grade()) cutting.restore(tolerance, weight);
     return cutting.result();
 }
 

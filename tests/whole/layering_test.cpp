@@ -55,7 +55,7 @@ const std::set<std::string> without_terrain = {
 
 // Start of an include -> the sources it may stand in.
 const std::map<std::string, std::set<std::string>> homes = {
-    {"CGAL/", {"terrain/ground/triangulate.cpp", "terrain/ground/ground_mesh.cpp"}},
+    {"CGAL/", {"terrain/ground/triangulate.cpp", "terrain/ground/cut_network.hpp"}},
     {"OpenMesh/", {"terrain/objects/mesh_check.cpp"}},
     {"embree", {"terrain/visibility/embree_scene.hpp"}},
     {"gdal",

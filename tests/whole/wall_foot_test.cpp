@@ -82,7 +82,11 @@ TEST_CASE("a hall casts its shadow on a plain of two triangles", "[whole][object
             inside += share_shaded(p.head<2>().cast<double>());
         }
         expected += world.facets.area[f] * inside / 100.0;
-        if (inside == 100) CHECK(kelvin[f] == Approx(air).margin(0.3));
+        // A corner may reach into the sun between the points.
+        const bool whole = inside == 100 && share_shaded(v[a].head<2>().cast<double>()) &&
+                           share_shaded(v[b].head<2>().cast<double>()) &&
+                           share_shaded(v[c].head<2>().cast<double>());
+        if (whole) CHECK(kelvin[f] == Approx(air).margin(0.3));
     }
     // A box's shadow beyond it: the plan pushed along its length.
     const Eigen::Vector2d pushed = height / to_sun.z() * to_sun.head<2>();

@@ -82,6 +82,43 @@ double vapour_hPa(const CsvTable& table, std::size_t row, std::size_t column, do
     return 0.01 * in_range(table, row, column, 0.0, 102.0) * saturation_hPa(temperature);
 }
 
+/// Throws InputError for humidity that is a share in a column of per cent: none above 1 in levels
+/// that the ground's air reaches.
+void check_percent(const CsvTable& table, const Columns& columns) {
+    if (table.header[columns.humidity] != "relative_humidity_percent") return;
+    double most = 0.0;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        if (table.rows[row][columns.humidity].empty()) continue;
+        most = std::max(most, table.number(row, columns.humidity));
+    }
+    if (!(most > 0.0 && most <= 1.0)) return;
+    throw InputError(table.where(0, columns.humidity) + ": relative_humidity_percent",
+                     fmt::format("found at most {:g} % at all levels, expected 0 to 100", most),
+                     "multiply shares of 1 by 100");
+}
+
+/// Throws InputError for heights and pressures that contradict hydrostatic balance by more than a
+/// fifth over the whole sounding: heights in feet are 3.3 times too large.
+void check_heights(const CsvTable& table, const Columns& columns, const Profile& sonde,
+                   std::size_t levels) {
+    const double rise = 1e3 * (sonde.height_km[levels - 1] - sonde.height_km[0]);  // [m]
+    double balanced = 0.0;
+    for (std::size_t i = 1; i < levels; ++i) {
+        balanced += dry_air_gas_constant / gravity * 0.5 *
+                    (sonde.temperature[i] + sonde.temperature[i - 1]) *
+                    std::log(sonde.pressure_hPa[i - 1] / sonde.pressure_hPa[i]);
+    }
+    constexpr double least_rise = 500.0, most_apart = 0.2;
+    if (rise < least_rise || std::abs(rise / balanced - 1.0) < most_apart) return;
+    throw InputError(
+        table.where(0, columns.height) + ": " + table.header[columns.height],
+        fmt::format("found a rise of {:.0f} m between {:.0f} and {:.0f} hPa, expected about {:.0f} "
+                    "m by hydrostatic balance",
+                    rise, sonde.pressure_hPa[0], sonde.pressure_hPa[levels - 1], balanced),
+        rise / balanced > 3.0 && rise / balanced < 3.6 ? "multiply heights in feet by 0.3048"
+                                                       : "check the units of height and pressure");
+}
+
 /// Adds a row's level; gases besides water are the model's.
 void add_level(const CsvTable& table, std::size_t row, const Columns& columns, const Profile& model,
                Profile& sonde) {
@@ -164,6 +201,7 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
     }
     const Columns columns(table);
     sort_levels(table, columns.height);
+    check_percent(table, columns);
     Profile sonde;
     sonde.notes = std::move(sounding.notes);
     // Archives hold every level of a flight as it was sent; a table of one's own is to be in order.
@@ -179,6 +217,7 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
         add_level(table, row, columns, model, sonde);
     }
     const std::size_t levels = sonde.height_km.size();
+    check_heights(table, columns, sonde, levels);
     add_model_above(model, sonde);
     check(sonde);
     return {std::move(sonde), levels};

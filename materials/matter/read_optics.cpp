@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "materials/base/error.hpp"
 #include "materials/matter/broadband.hpp"
@@ -62,12 +64,38 @@ Spectrum absorptance(const Spectrum& reflectance, const Spectrum& transmittance)
     return result;
 }
 
+/// Makes the values of a column those of `key`, by its name: 1 − emissivity for reflectance. Throws
+/// InputError for another quantity.
+///
+/// - column: "file.csv: emissivity", in small letters
+void take_quantity(const std::string& column, std::string_view key, bool opaque, Spectrum& s) {
+    const std::string name = column.substr(column.rfind(' ') + 1);
+    const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+    const bool left = has("emiss") || has("absorpt");  // 1 − ρ − τ
+    const bool reflectance = key == "reflectance";
+    if (reflectance && left && opaque) {
+        for (double& value : s.value) value = 1.0 - value;
+        return;
+    }
+    if (!left && !has(reflectance ? "transm" : "reflec")) return;
+    throw InputError(column, fmt::format("found a column of another quantity, expected {}", key),
+                     left ? "emissivity is 1 - reflectance - transmittance"
+                          : fmt::format("name the column {} if it is", key));
+}
+
 /// A spectrum of a file, as far as it goes.
 Spectrum read_file(const Section& section, const char* key, const char* says) {
     const std::filesystem::path file = section.file(key, says);
     try {
         if (!file.empty()) {
-            const Spectrum s = read_spectrum(file, 0.0, 1.0);
+            const std::string column = small_letters(column_of_spectrum(file));
+            const bool percent = column.find("percent") != std::string::npos ||
+                                 column.find('%') != std::string::npos;
+            Spectrum s = read_spectrum(file, 0.0, percent ? 100.0 : 1.0);
+            if (percent) {
+                for (double& value : s.value) value *= 0.01;
+            }
+            take_quantity(file.string() + ": " + column, key, !section.has("transmittance"), s);
             check_micrometres(s, file);
             return s;
         }

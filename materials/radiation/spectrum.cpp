@@ -67,7 +67,7 @@ Spectrum flat_spectrum(double value, double from_um, double to_um) {
 }
 
 Spectrum read_spectrum(const std::filesystem::path& path, double least, double most) {
-    const CsvTable table = read_csv(path);
+    CsvTable table = read_csv(path);
     const std::size_t wavelength = table.column("wavelength_um");
     if (table.header.size() != 2) {
         throw InputError(path.string(), fmt::format("found {} columns, expected 2: wavelength_um "
@@ -79,6 +79,11 @@ Spectrum read_spectrum(const std::filesystem::path& path, double least, double m
         throw InputError(path.string(),
                          fmt::format("found {} rows, expected at least 2", table.rows.size()));
     }
+    // Spectrometers of the infrared write the longest wavelength first.
+    if (table.number(0, wavelength) > table.number(table.rows.size() - 1, wavelength)) {
+        std::reverse(table.rows.begin(), table.rows.end());
+        std::reverse(table.line.begin(), table.line.end());
+    }
     Spectrum s;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const double x = table.number(row, wavelength);
@@ -86,14 +91,21 @@ Spectrum read_spectrum(const std::filesystem::path& path, double least, double m
         if (!(x > 0.0) || (row > 0 && !(x > s.wavelength_um.back()))) {
             throw InputError(
                 table.where(row, wavelength),
-                fmt::format("found wavelength {:g} µm, expected positive, ascending wavelengths",
-                            x));
+                fmt::format(
+                    "found wavelength {:g} µm, expected positive wavelengths, all ascending "
+                    "or all descending",
+                    x));
         }
         check_within(table.where(row, value) + ": " + table.header[value], y, least, most);
         s.wavelength_um.push_back(x);
         s.value.push_back(y);
     }
     return s;
+}
+
+std::string column_of_spectrum(const std::filesystem::path& path) {
+    const CsvTable table = read_csv(path);
+    return table.header.size() == 2 ? table.header[1 - table.column("wavelength_um")] : "";
 }
 
 }  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace diurna {
@@ -30,5 +31,8 @@ Spectrum flat_spectrum(double value, double from_um = 0.2, double to_um = 100.0)
 /// given, the range [least, most] of the values. Throws InputError with file:line:column.
 Spectrum read_spectrum(const std::filesystem::path& path, double least = -1e300,
                        double most = 1e300);
+
+/// Name of the column of values: "reflectance".
+std::string column_of_spectrum(const std::filesystem::path& path);
 
 }  // namespace diurna

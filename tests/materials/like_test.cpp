@@ -160,6 +160,30 @@ TEST_CASE("a band past the ends of the library's own n and k is reported",
     CHECK(reported("asphalt").empty());
 }
 
+TEST_CASE("a spectrum is of the quantity that its column names",
+          "[materials][like][own_keys][spectrum]") {
+    const ScratchFolder folder("quantity");
+    write_text(folder.path / "eps.csv", "wavelength_um,emissivity\n0.3,0.4\n50,0.4\n");
+    write_text(folder.path / "rho.csv", "wavelength_um,reflectance\n0.3,0.6\n50,0.6\n");
+    write_text(folder.path / "cent.csv", "wavelength_um,reflectance_percent\n50,60\n0.3,60\n");
+    write_text(folder.path / "tau.csv", "wavelength_um,transmittance\n0.3,0.6\n50,0.6\n");
+    const auto material = [&](const char* lines) {
+        return read(std::string("like = \"asphalt\"\n") + lines, library(), folder.path);
+    };
+    // Kirchhoff: an opaque surface sends back what it does not absorb.
+    for (const char* lines : {"reflectance = \"rho.csv\"\n", "reflectance = \"eps.csv\"\n",
+                              "reflectance = \"cent.csv\"\n"}) {
+        CAPTURE(lines);
+        const Material m = material(lines);
+        CHECK(m.reflectance.at(10.0) == Approx(0.6));
+        CHECK(m.thermal.emissivity == Approx(0.4));
+    }
+    CHECK_THROWS_WITH(material("reflectance = \"tau.csv\"\n"),
+                      Catch::Contains("another quantity, expected reflectance"));
+    CHECK_THROWS_WITH(material("transmittance = \"eps.csv\"\n"),
+                      Catch::Contains("another quantity, expected transmittance"));
+}
+
 TEST_CASE("a spectrum that ends before thermal wavelengths is reported, one in nanometres refused",
           "[materials][like][own_keys][spectrum]") {
     const ScratchFolder folder("short");

@@ -69,6 +69,12 @@ TEST_CASE("what is wrong in a sounding is named with its line", "[materials][pro
     };
     using Catch::Contains;
     CHECK_THAT(problem(header + "0,1000,20,50\n"), Contains("1 levels"));
+    // 1013 to 540 hPa is 5 km in the standard atmosphere, not 16 404 (feet), nor with shares of 1.
+    const std::string feet = "0,1013.25,15,50\n8202,750,-1,40\n16404,540,-17,30\n";
+    CHECK_THAT(problem(header + feet), Contains("height_m") && Contains("heights in feet"));
+    CHECK(problem(header + "0,1013.25,15,50\n2500,750,-1,40\n5000,540,-17,30\n").empty());
+    CHECK_THAT(problem(header + "0,1013.25,15,.5\n2500,750,-1,.4\n5000,540,-17,.3\n"),
+               Contains("shares of 1"));
     CHECK_THAT(problem(header + "0,1000,20,50\n0,990,20,50\n"), Contains(":3:1"));
     CHECK_THAT(problem(header + "0,1000,20,50\n100,1001,20,50\n"), Contains(":3:2"));
     CHECK_THAT(problem(header + "0,1000,200,50\n100,990,20,50\n"), Contains(":2:3"));

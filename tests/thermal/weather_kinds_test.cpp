@@ -78,10 +78,12 @@ TEST_CASE("sunlight of PVGIS is of the instants that its comment names",
     for (int hour = 1; hour <= 24; ++hour) rows += epw_line(hour, 0, hour, 330.0, 10.0 * hour);
     write_text(file, epw_head("Irradiance Time Offset (h):-0.75", 1) + rows);
     const Weather w = read_weather(file);
-    // Hour 12 ends at 11:00 UTC (one hour ahead); its light is of 10:15.
-    const Forcing then = w.at(instant("2018-07-08T10:15:00Z"));
+    // The header's zone is 1, but rows are in UTC: hour 12 is the instant 11:00, its light of 11:15
+    // (pvlib's tmy_45.000_8.000_2005_2023 as EPW and as CSV have the same rows so).
+    const Forcing then = w.at(instant("2018-07-08T11:15:00Z"));
     CHECK(then.shortwave_down == Approx(120.0));
-    CHECK(then.air.temperature == Approx(273.15 + 11.25));  // of 11 °C at 10:00, 12 at 11:00
+    CHECK(then.air.temperature == Approx(273.15 + 12.25));  // of 12 °C at 11:00, 13 at 12:00
+    CHECK(has(w.note, "the time zone 1 of its header is not used"));
 }
 
 TEST_CASE("PVGIS' own CSV has the same offset", "[thermal][weather_file]") {

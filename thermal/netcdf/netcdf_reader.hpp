@@ -29,6 +29,7 @@ class NetcdfReader {
     NetcdfReader(const NetcdfReader&) = delete;
     NetcdfReader& operator=(const NetcdfReader&) = delete;
 
+    const std::filesystem::path& path() const { return path_; }
     /// An error of this file, to be thrown.
     InputError refused(const std::string& problem) const;
     /// The same for a part that is missing: "its times".

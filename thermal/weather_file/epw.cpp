@@ -62,7 +62,7 @@ double unless_zero(Quantity quantity, double value, Zeros& zeros) {
     return value;
 }
 
-/// Hours from a row's stamp to the instant of its sunlight, which PVGIS writes into a comment:
+/// Hours from a row's hour to the instant of its sunlight, which PVGIS writes into a comment:
 /// "COMMENTS 2,Irradiance Time Offset (h):-0.8239" (JRC, PVGIS user manual). None: the sunlight is
 /// of the row's hour.
 std::optional<double> irradiance_offset(const TextLines& lines) {
@@ -126,7 +126,11 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
         return number_in(place[i], fmt::format("{}:{}", lines.where(0), i + 1));
     };
     table.place = {of_place(6), of_place(7), of_place(9)};
-    const double offset_h = of_place(8);
+    const double zone_h = of_place(8);
+    // PVGIS writes its rows in UTC whatever the header's zone: hour 1 is the instant 00:00. Its own
+    // CSV of the same place has the same rows at these instants.
+    const std::optional<double> light_h = irradiance_offset(lines);
+    const double offset_h = light_h ? 0.0 : zone_h;
     std::vector<EpwTime> times;
     std::vector<std::string> places;
     std::vector<std::vector<std::string>> cells;
@@ -150,7 +154,8 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
         epw_ends(times, epw_rows_per_hour(lines.line[header_lines - 1]), table.notes);
     std::vector<LocalRow> rows;
     for (std::size_t i = 0; i < times.size(); ++i) {
-        rows.push_back({times[i].year, times[i].month, times[i].day, ends[i], places[i]});
+        const double stamp = light_h ? ends[i] - 3600.0 : ends[i];
+        rows.push_back({times[i].year, times[i].month, times[i].day, stamp, places[i]});
     }
     Zeros zeros;
     add_local_rows(rows, offset_h, asked, table,
@@ -161,13 +166,15 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
         table.notes.push_back(
             fmt::format("{} in {} is treated as missing", what, number_of(count, "row")));
     }
-    if (const auto hours = irradiance_offset(lines)) {
+    if (light_h) {
+        const double after_h = *light_h + 1.0;
         table.stamps = Stamp::instant;
-        table.light_offset = 3600.0 * *hours;
-        table.notes.push_back(
-            fmt::format("sunlight is that of the instants {:.0f} min {} the rows' stamps, as the "
-                        "file's comment states",
-                        std::abs(60.0 * *hours), *hours < 0.0 ? "before" : "after"));
+        table.light_offset = 3600.0 * after_h;
+        table.notes.push_back(fmt::format(
+            "EPW of PVGIS: hour 1 is the instant 00:00 UTC{}; sunlight is that of {:.0f} min {}",
+            zone_h == 0.0 ? ""
+                          : fmt::format(" (the time zone {:g} of its header is not used)", zone_h),
+            std::abs(60.0 * after_h), after_h < 0.0 ? "before" : "after"));
     }
     return table;
 }

@@ -142,11 +142,16 @@ WeatherTable era5_table(Era5Series series) {
                          "weather.file to both, [\"instant.nc\", \"accum.nc\"], or to its zip");
     }
     const double usual = usual_interval(table.stamp);
-    if (usual > 1.5 * hour &&
-        (table.has(Quantity::shortwave_down) || table.has(Quantity::longwave_down))) {
-        table.notes.push_back(fmt::format(
-            "ERA5's radiation is that of the last hour of each {:g} h and is used for all of them",
-            usual / hour));
+    const bool radiation =
+        table.has(Quantity::shortwave_down) || table.has(Quantity::longwave_down);
+    if (usual > 1.5 * hour && radiation && !series.between_rows) {
+        table.stamps = Stamp::instant;
+        table.light_offset = -0.5 * hour;
+        table.notes.push_back(
+            fmt::format("ERA5's radiation is that of the last hour of each {:g} h: it is used as "
+                        "that of 30 min before the stamp, with interpolation between; hourly data "
+                        "or ERA5-Land are better",
+                        usual / hour));
     }
     return table;
 }

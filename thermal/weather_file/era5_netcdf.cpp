@@ -9,6 +9,7 @@
 #include "materials/base/error.hpp"
 #include "thermal/netcdf/netcdf_reader.hpp"
 #include "thermal/weather_file/era5.hpp"
+#include "thermal/weather_file/era5_units.hpp"
 #include "thermal/weather_file/stamps.hpp"
 #include "thermal/weather_file/station_warnings.hpp"
 
@@ -63,9 +64,8 @@ std::vector<double> values_of(const NetcdfReader& file, const std::string& name,
     }
     constexpr std::size_t most_versions = 100;
     if (versions == 0 || versions > most_versions || size != count * versions) {
-        InputError wrong =
-            file.refused(fmt::format("{} has {} values for {} instants", name, size, count));
-        throw InputError(wrong.mistakes().front().where, wrong.mistakes().front().problem,
+        throw InputError(fmt::format("{}: {}", file.path().string(), name),
+                         fmt::format("has {} values for {} instants", size, count),
                          "expected dimensions of time, latitude and longitude, and expver");
     }
     const std::vector<double> all = unpacked(file, name, file.values<double>(name, first, length));
@@ -78,10 +78,31 @@ std::vector<double> values_of(const NetcdfReader& file, const std::string& name,
     return chosen;
 }
 
+/// Values of a variable in the unit of its short name, by its attribute `units`.
+std::vector<double> in_era5_unit(const NetcdfReader& file, const std::string& name,
+                                 const std::string& variable, std::vector<double> values) {
+    const std::string units = file.text(variable, "units").value_or("");
+    const Era5Unit unit =
+        era5_unit(name, variable, units, fmt::format("{}: {}", file.path().string(), variable));
+    for (double& value : values) value = unit.factor * value + unit.offset;
+    return values;
+}
+
 /// All values of a variable of one dimension, such as those of latitude.
 std::vector<double> axis_of(const NetcdfReader& file, const std::string& name) {
     if (!file.has(name) || file.dimensions(name).size() > 1) return {};
     return unpacked(file, name, file.values<double>(name));
+}
+
+/// Parts of a date or clock with two digits: "2023-7-1" as "2023-07-01".
+std::string padded(const std::string& text, char between) {
+    std::string all, part;
+    std::istringstream parts(text);
+    while (std::getline(parts, part, between)) {
+        const bool single = part.find_first_not_of("0123456789") == 1 || part.size() == 1;
+        all += (all.empty() ? "" : std::string(1, between)) + (single ? "0" : "") + part;
+    }
+    return all;
 }
 
 /// The start and the step [s] of "hours since 1900-01-01 00:00:00.0".
@@ -98,7 +119,7 @@ std::pair<Instant, double> time_units(const std::string& units, const std::strin
         throw InputError(where, fmt::format("found units '{}', expected 'hours since ...'", units));
     }
     if (clock.empty()) clock = "00:00:00";
-    return {stamp_in(date + "T" + clock, 0.0, where), seconds};
+    return {stamp_in(padded(date, '-') + "T" + padded(clock, ':'), 0.0, where), seconds};
 }
 
 double east_of(double longitude_deg) {
@@ -129,7 +150,9 @@ GridPoint point_of_area(const NetcdfReader& netcdf, std::size_t instants,
                       });
     GridPoint chosen = points.front();
     const std::vector<std::string> names = netcdf.variables();
-    const auto known = std::find_if(names.begin(), names.end(), is_era5_name);
+    const auto known = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+        return !era5_name_of(name).empty();
+    });
     for (std::size_t k = 0; k < tried && points.size() > 1 && known != names.end(); ++k) {
         const std::vector<double> values = values_of(netcdf, *known, instants, points[k]);
         if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
@@ -166,11 +189,13 @@ Era5Series netcdf_series_of(const NetcdfReader& netcdf, const std::filesystem::p
                   fmt::format("{}[{}]", where, series.stamp.size()));
     }
     const GridPoint point = point_of_area(netcdf, count, site, series);
-    for (const std::string& name : netcdf.variables()) {
-        if (is_era5_name(name)) {
-            series.values[name] = values_of(netcdf, name, count, point);
-        } else if (name != time) {
-            series.unused.push_back(name);
+    for (const std::string& variable : netcdf.variables()) {
+        const std::string name = era5_name_of(variable);
+        if (!name.empty() && !series.values.contains(name)) {
+            series.values[name] =
+                in_era5_unit(netcdf, name, variable, values_of(netcdf, variable, count, point));
+        } else if (variable != time) {
+            series.unused.push_back(variable);
         }
     }
     return series;

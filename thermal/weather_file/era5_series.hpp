@@ -26,6 +26,9 @@ struct Era5Series {
     std::optional<Geodetic> place{};
     std::vector<std::string> notes{};
     std::vector<std::string> unused{};  // variables that were skipped
+    /// Radiation and rain are those of an hour in the mean since the row before; else of the hour
+    /// before the stamp.
+    bool between_rows = false;
 };
 
 }  // namespace diurna

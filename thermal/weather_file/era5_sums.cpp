@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "thermal/weather_file/weather_table.hpp"
+
 namespace diurna {
 
 namespace {
@@ -21,10 +23,21 @@ int hours_summed(Instant stamp) {
     return hour == 0 ? 24 : hour;
 }
 
-/// Whether row i follows the row before by an hour, within the sums of one day.
-bool goes_on(const Era5Series& series, std::size_t i) {
-    return i > 0 && hours_summed(series.stamp[i]) > 1 &&
-           std::abs(seconds_between(series.stamp[i - 1], series.stamp[i]) - one_hour) < 1.0;
+constexpr int longest = 12;  // [h] between rows whose sums are taken apart
+
+/// Hours from the row before to row i, if that is within the sums of one day; else 0.
+int hours_since(const Era5Series& series, std::size_t i) {
+    if (i == 0) return 0;
+    const int hours =
+        int(std::lround(seconds_between(series.stamp[i - 1], series.stamp[i]) / one_hour));
+    const int summed = hours_summed(series.stamp[i]);
+    return hours >= 1 && hours <= longest && hours < summed ? hours : 0;
+}
+bool goes_on(const Era5Series& series, std::size_t i) { return hours_since(series, i) > 0; }
+
+/// Usual hours between rows, at least 1.
+int usual_hours(const Era5Series& series) {
+    return std::max(1, int(std::lround(usual_interval(series.stamp) / one_hour)));
 }
 
 double largest_of(const std::vector<double>& column) {
@@ -54,19 +67,26 @@ void take_sums_apart(Era5Series& series) {
         if (!grows_through_days(series, found->second)) return;
     }
     if (!too_large) return;
+    const int usual = usual_hours(series);
     for (const char* name : sums) {
         const auto found = series.values.find(name);
         if (found == series.values.end()) continue;
         const std::vector<double> sum = found->second;
         for (std::size_t i = 0; i < sum.size(); ++i) {
-            if (hours_summed(series.stamp[i]) == 1) continue;
-            found->second[i] =
-                goes_on(series, i) ? std::max(0.0, sum[i] - sum[i - 1]) : not_measured;
+            const int since = hours_since(series, i), summed = hours_summed(series.stamp[i]);
+            if (since > 0) {
+                found->second[i] = std::max(0.0, sum[i] - sum[i - 1]) / since;
+            } else {  // the first sum of a day, from midnight on
+                found->second[i] = summed <= usual ? sum[i] / summed : not_measured;
+            }
         }
     }
     series.notes.push_back(
-        "radiation and rain are sums since midnight UTC, as in ERA5-Land, and are converted to "
-        "hourly values");
+        usual == 1 ? "radiation and rain are sums since midnight UTC, as in ERA5-Land, and are "
+                     "converted to hourly values"
+                   : "radiation and rain are sums since midnight UTC, as in ERA5-Land, and are "
+                     "converted to means between the rows");
+    series.between_rows = true;
 }
 
 }  // namespace diurna

@@ -129,10 +129,38 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
     return layout;
 }
 
+/// Marks of what was not measured that no number can be mistaken for.
 bool missing(const std::string& cell, bool foreign) {
-    if (cell.empty() || cell == "nan" || cell == "NaN" || cell == "NA" || cell == "null")
-        return true;
-    return foreign && cell == "M";
+    static const std::array<std::string_view, 10> marks{"",     "nan",  "na", "n/a", "#n/a",
+                                                        "null", "none", "--", "---", "-"};
+    const std::string small = small_letters(cell);
+    if (std::find(marks.begin(), marks.end(), small) != marks.end()) return true;
+    return foreign && (cell == "M" || cell == "*");
+}
+
+/// Campbell's TOA5: a line of the station, names, units and kinds of processing, then rows.
+bool is_toa5(const std::string& text) {
+    return text.starts_with("\"TOA5\"") || text.starts_with("TOA5,");
+}
+
+/// Takes the lines of units and processing out of the rows of a TOA5 file.
+void drop_toa5_lines(CsvTable& csv) {
+    const std::size_t lines = std::min<std::size_t>(2, csv.rows.size());
+    csv.rows.erase(csv.rows.begin(), csv.rows.begin() + std::ptrdiff_t(lines));
+    csv.line.erase(csv.line.begin(), csv.line.begin() + std::ptrdiff_t(lines));
+}
+
+/// Rows from the first instant on, where the file has the newest first.
+void turn_newest_first(CsvTable& csv, std::vector<Instant>& stamps, WeatherTable& table) {
+    const bool falls = stamps.size() > 1 &&
+                       std::adjacent_find(stamps.begin(), stamps.end(), [](Instant a, Instant b) {
+                           return a <= b;
+                       }) == stamps.end();
+    if (!falls) return;
+    std::reverse(stamps.begin(), stamps.end());
+    std::reverse(csv.rows.begin(), csv.rows.end());
+    std::reverse(csv.line.begin(), csv.line.end());
+    table.notes.push_back("its rows are read from the last to the first: the newest is first");
 }
 
 /// The instant of a row's stamp.
@@ -173,6 +201,7 @@ int known_lines_above(const std::string& text) {
     const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     const std::string_view all = std::string_view(text).substr(begin);
     if (all.starts_with("latitude,longitude,elevation,utc_offset_seconds")) return 2;
+    if (is_toa5(std::string(all.substr(0, 6)))) return 1;
     const std::size_t end = all.find("-END HEADER-");
     if (!all.starts_with("-BEGIN HEADER-") || end == std::string_view::npos) return 0;
     return 1 + int(std::count(all.begin(), all.begin() + std::ptrdiff_t(end), '\n'));
@@ -213,16 +242,20 @@ WeatherTable read_own_csv(const std::filesystem::path& file,
                           const std::vector<DeclaredColumn>& declared,
                           const std::vector<double>& missing_codes, int skip_lines) {
     const std::string text = weather_text(file);
-    const CsvTable csv =
-        csv_table(file, text, skip_lines > 0 ? skip_lines : known_lines_above(text));
+    CsvTable csv = csv_table(file, text, skip_lines > 0 ? skip_lines : known_lines_above(text));
+    if (skip_lines == 0 && is_toa5(text)) drop_toa5_lines(csv);
     const bool foreign = !declared.empty();
     const Layout layout = layout_of(csv, declared);
     if (csv.rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     WeatherTable table{.file = file, .format = "CSV"};
     table.declarable = true;
+    std::vector<Instant> stamps;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
-        const std::string where = csv.where(row, layout.time);
-        add_row(table, stamp_of(csv, row, layout, where), where);
+        stamps.push_back(stamp_of(csv, row, layout, csv.where(row, layout.time)));
+    }
+    turn_newest_first(csv, stamps, table);
+    for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+        add_row(table, stamps[row], csv.where(row, layout.time));
     }
     const double interval = usual_interval(table.stamp);
     const Missing none{foreign, missing_codes};

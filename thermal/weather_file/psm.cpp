@@ -118,6 +118,12 @@ WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked)
                              fmt::format("no column '{}' in an NSRDB file", psm_times[k]));
         }
     }
+    // SAM takes hourly rows without a minute as those of the middle of the hour (NREL, SAM's help:
+    // weather file formats).
+    const double no_minute = time[4] ? 0.0 : 1800.0;  // [s]
+    if (!time[4]) {
+        table.notes.push_back("no column Minute: rows are those of the middle of their hour");
+    }
     std::vector<PsmUsed> used;
     std::size_t widest = 0;
     for (const PsmColumn& column : psm_columns) {
@@ -146,7 +152,7 @@ WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked)
             at[k] = int(
                 std::lround(number_in(row[*time[k]], fmt::format("{}:{}", where, *time[k] + 1))));
         }
-        rows.push_back({at[0], at[1], at[2], 3600.0 * at[3] + 60.0 * at[4], where});
+        rows.push_back({at[0], at[1], at[2], 3600.0 * at[3] + 60.0 * at[4] + no_minute, where});
         cells.push_back(std::move(row));
     }
     if (rows.empty()) throw InputError(file.string(), "has no weather, only a header");

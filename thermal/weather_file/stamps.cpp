@@ -7,8 +7,24 @@
 
 namespace diurna {
 
+namespace {
+
+/// "202307070030" of FLUXNET as "2023-07-07T00:30", also with seconds or without a clock.
+void spread_digits(std::string& text) {
+    if (text.find_first_not_of("0123456789") != std::string::npos) return;
+    if (text.size() != 8 && text.size() != 12 && text.size() != 14) return;
+    const std::string digits = text + (text.size() == 8 ? "0000" : "");
+    text = digits.substr(0, 4) + "-" + digits.substr(4, 2) + "-" + digits.substr(6, 2) + "T" +
+           digits.substr(8, 2) + ":" + digits.substr(10, 2);
+    if (digits.size() == 14) text += ":" + digits.substr(12, 2);
+}
+
+}  // namespace
+
 Instant stamp_in(std::string text, double offset_h, const std::string& where) {
     constexpr std::size_t date_length = 10;  // of 2022-01-01
+    constexpr double day = 86400.0;          // [s]
+    spread_digits(text);
     if (text.size() >= date_length && text[4] == '/' && text[7] == '/') text[4] = text[7] = '-';
     if (const std::size_t mark = text.find_first_of("/."); mark == 1 || mark == 2) {
         throw InputError(where, "found '" + text.substr(0, 40) + "', expected ISO 8601",
@@ -17,6 +33,12 @@ Instant stamp_in(std::string text, double offset_h, const std::string& where) {
                          "\"time_dmy -07:00\" (day first)");
     }
     if (text.size() > date_length && text[date_length] == ' ') text[date_length] = 'T';
+    // The end of a day.
+    const bool midnight = text.size() > date_length + 5 && text.substr(date_length, 6) == "T24:00";
+    if (midnight) {
+        text.replace(date_length, 6, "T00:00");
+        return later(stamp_in(text, offset_h, where), day);
+    }
     if (text.size() > date_length + 4 && text.ends_with(" UTC")) {
         text.replace(text.size() - 4, 4, "Z");
     }

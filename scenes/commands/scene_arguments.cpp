@@ -69,11 +69,13 @@ std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
     verb.add_option(
         "--set", a->settings,
         "KEY=VALUE replaces a value of the scene: observer.east.width=320 (or observer.0.width); "
-        "lists and texts as in the file, single words without quotes");
+        "lists and texts are written as in the file; single words need no quotes");
     whole_within(
         verb.add_option("--threads", a->threads, "number of worker threads; 0: one per core"), 0,
         1024);
-    verb.add_option("--progress", a->progress, "progress messages: json, none or auto")
+    verb.add_option("--progress", a->progress,
+                    "progress messages: auto (a line per stage; on a terminal one renewed line), "
+                    "json (an object per line), or none")
         ->check(CLI::IsMember({"json", "none", "auto"}));
     verb.add_flag("--allow-outside", a->allow_outside,
                   "permit input files outside the scene's folder and the program's data");

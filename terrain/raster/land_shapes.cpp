@@ -18,7 +18,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_corners = 1'000'000;
+constexpr std::size_t most_ring_corners = 1'000'000;
 const char* const shape_drivers[] = {"GeoJSON",    "GeoJSONSeq", "ESRI Shapefile", "GPKG",
                                      "FlatGeobuf", "LIBKML",     nullptr};
 constexpr const char* shape_formats =
@@ -218,7 +218,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
                                 features, none.corner));
             }
             for (std::size_t i = before; i < shapes.size(); ++i) corners += shapes[i].ring.size();
-            if (corners > most_corners) {
+            if (corners > most_ring_corners) {
                 throw InputError(file.string(), "has more than a million corners");
             }
         }

@@ -27,15 +27,15 @@ bool is_latitude(const std::string& name) { return name == "latitude" || name ==
 bool is_longitude(const std::string& name) { return name == "longitude" || name == "lon"; }
 
 /// A netCDF file open for reading.
-class NetcdfFile {
+class Era5Netcdf {
  public:
-    explicit NetcdfFile(const std::filesystem::path& file) : path_(file.string()) {
+    explicit Era5Netcdf(const std::filesystem::path& file) : path_(file.string()) {
         note_file_read(file);
         check_values_are_its_own(file);
         check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "cannot be opened");
     }
     /// One in memory, named by `file`.
-    NetcdfFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+    Era5Netcdf(const std::filesystem::path& file, std::span<const std::byte> bytes)
         : path_(file.string()) {
         check_values_are_its_own(bytes, path_);
         // The library only reads what it takes for writable.
@@ -43,9 +43,9 @@ class NetcdfFile {
                           const_cast<std::byte*>(bytes.data()), &id_),
               "cannot be opened");
     }
-    ~NetcdfFile() { nc_close(id_); }
-    NetcdfFile(const NetcdfFile&) = delete;
-    NetcdfFile& operator=(const NetcdfFile&) = delete;
+    ~Era5Netcdf() { nc_close(id_); }
+    Era5Netcdf(const Era5Netcdf&) = delete;
+    Era5Netcdf& operator=(const Era5Netcdf&) = delete;
 
     /// The id of a variable, or −1.
     int variable(const std::string& name) const {
@@ -199,7 +199,7 @@ double east_of(double longitude_deg) {
 }
 
 /// The point of an area nearest to the site that has values, its place put into the series.
-GridPoint point_of_area(const NetcdfFile& netcdf, std::size_t instants,
+GridPoint point_of_area(const Era5Netcdf& netcdf, std::size_t instants,
                         const std::optional<Geodetic>& site, Era5Series& series) {
     const std::vector<double> north =
         netcdf.axis(netcdf.variable("latitude") >= 0 ? "latitude" : "lat");
@@ -245,7 +245,7 @@ GridPoint point_of_area(const NetcdfFile& netcdf, std::size_t instants,
     return chosen;
 }
 
-Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::path& file,
+Era5Series netcdf_series_of(const Era5Netcdf& netcdf, const std::filesystem::path& file,
                             const std::optional<Geodetic>& site) {
     const std::string time = netcdf.variable("valid_time") >= 0 ? "valid_time" : "time";
     const std::string where = file.string() + ": " + time;
@@ -275,12 +275,12 @@ Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::pat
 
 Era5Series read_era5_netcdf(const std::filesystem::path& file,
                             const std::optional<Geodetic>& site) {
-    return netcdf_series_of(NetcdfFile(file), file, site);
+    return netcdf_series_of(Era5Netcdf(file), file, site);
 }
 
 Era5Series era5_netcdf_series(const std::filesystem::path& file, std::span<const std::byte> bytes,
                               const std::optional<Geodetic>& site) {
-    return netcdf_series_of(NetcdfFile(file, bytes), file, site);
+    return netcdf_series_of(Era5Netcdf(file, bytes), file, site);
 }
 
 }  // namespace diurna

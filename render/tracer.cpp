@@ -131,8 +131,8 @@ void add_notes(std::size_t b, const SceneLight& light, const PathTable& path, co
     frame.notes["band." + name] =
         fmt::format("{:g} to {:g} um", of.band.from_um(), of.band.to_um());
     frame.notes["error." + name] = fmt::format(
-        "interpolation error {:.2g} mK with {} ranges, {} heights (linear between {} and {}), {} "
-        "modes ({} thermal) for {} channels",
+        "interpolation error {:.2g} mK; {} ranges and {} heights computed, subdivided into {} and "
+        "{} for linear interpolation; {} modes ({} thermal) for {} channels",
         1e3 * (path.error(b) + eye.error), path.grid().ranges, path.grid().heights, eye.ranges,
         eye.heights, of.basis.size(), of.basis.thermal, of.channels.size());
     frame.notes["bounces." + name] = fmt::format(

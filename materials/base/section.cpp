@@ -15,7 +15,7 @@ namespace diurna {
 namespace {
 
 /// The names of tables, if each has one and no other has it; else empty.
-std::vector<std::string> names_of(const toml::array& tables) {
+std::vector<std::string> names_of_tables(const toml::array& tables) {
     std::vector<std::string> names;
     for (const toml::node& one : tables) {
         names.push_back((*one.as_table())["name"].value_or(std::string()));
@@ -339,7 +339,7 @@ std::vector<Section> Section::sections_of(const std::string& key,
                                  joined_path(path_, key)));
         return {};
     }
-    const std::vector<std::string> names = names_of(*array);
+    const std::vector<std::string> names = names_of_tables(*array);
     std::vector<Section> found;
     for (const toml::node& element : *array) {
         const std::string path = fmt::format("{}[{}]", joined_path(path_, key), found.size());

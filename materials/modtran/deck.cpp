@@ -12,29 +12,29 @@ namespace diurna {
 
 namespace {
 
-struct Choice {
+struct DeckWord {
     const char* name;
     int number;
 };
-constexpr std::array<Choice, 6> models = {
+constexpr std::array<DeckWord, 6> models = {
     {{"TROP", 1}, {"MLS", 2}, {"MLW", 3}, {"SAS", 4}, {"SAW", 5}, {"US76", 6}}};
-constexpr std::array<Choice, 8> aerosols = {{{"none", 0},
-                                             {"rural", 1},
-                                             {"maritime", 4},
-                                             {"urban", 5},
-                                             {"tropospheric", 6},
-                                             {"fog_advective", 8},
-                                             {"fog_radiative", 9},
-                                             {"desert", 10}}};
+constexpr std::array<DeckWord, 8> aerosols = {{{"none", 0},
+                                               {"rural", 1},
+                                               {"maritime", 4},
+                                               {"urban", 5},
+                                               {"tropospheric", 6},
+                                               {"fog_advective", 8},
+                                               {"fog_radiative", 9},
+                                               {"desert", 10}}};
 
 template <std::size_t Size>
-const Choice& choice(const std::array<Choice, Size>& all, const std::string& name,
-                     const char* what) {
-    for (const Choice& each : all) {
+const DeckWord& choice(const std::array<DeckWord, Size>& all, const std::string& name,
+                       const char* what) {
+    for (const DeckWord& each : all) {
         if (name == each.name) return each;
     }
     std::vector<std::string> names;
-    for (const Choice& each : all) names.emplace_back(each.name);
+    for (const DeckWord& each : all) names.emplace_back(each.name);
     refuse_word(std::string("MODTRAN ") + what, name, names);
 }
 

@@ -39,7 +39,7 @@ constexpr std::array<NewPlane, 4> of_secondary_and_band = {
     {{"mirror", "1"}, {"passed", "1"}, {"mirrored", "W m-2 sr-1"}, {"air", "W m-2 sr-1"}}};
 constexpr std::size_t in_band = secondary_planes_of_band.size() + of_secondary_and_band.size();
 /// Terms that are light × a factor × what lets it pass, in the order of the planes above.
-constexpr std::array products = {Term::emitted, Term::sun, Term::sky, Term::surroundings};
+constexpr std::array parts_of_light = {Term::emitted, Term::sun, Term::sky, Term::surroundings};
 
 /// Where the values of the k-th surface go, (pixel) each.
 struct SurfacePlanes {
@@ -103,7 +103,7 @@ std::vector<SurfacePlanes> planes_of(const SecondaryTables& tables, std::size_t 
     return planes;
 }
 
-float ratio(double of, double to) { return to != 0.0 ? static_cast<float>(of / to) : 0.0f; }
+float ratio_or_zero(double of, double to) { return to != 0.0 ? static_cast<float>(of / to) : 0.0f; }
 
 /// What the secondary rays of one pixel after another contribute.
 class SecondaryValues {
@@ -182,15 +182,17 @@ class SecondaryValues {
     std::array<float, in_band> in(std::size_t b, std::size_t i) {
         const SecondaryRay& secondary = sum_.rows().list[i];
         std::array<float, in_band> out{};
-        for (std::size_t k = 0; k < products.size(); ++k) {
-            const auto term = static_cast<std::size_t>(products[k]);
-            const double arrives = lanes_sum(b, arriving(i, products[k]));
+        for (std::size_t k = 0; k < parts_of_light.size(); ++k) {
+            const auto term = static_cast<std::size_t>(parts_of_light[k]);
+            const double arrives = lanes_sum(b, arriving(i, parts_of_light[k]));
             const double leaves = lanes_sum(b, &sum_.rows().sent[row(i, term, term_count)]);
             out[3 * k] = static_cast<float>(arrives);
-            out[3 * k + 1] = ratio(leaves, arrives);
-            out[3 * k + 2] = ratio(of_row(i, term, b) / double{secondary.weight}, leaves);
+            out[3 * k + 1] = ratio_or_zero(leaves, arrives);
+            out[3 * k + 2] = ratio_or_zero(of_row(i, term, b) / double{secondary.weight}, leaves);
         }
-        const auto at_eye = [&](double sum) { return ratio(sum, double{secondary.weight}); };
+        const auto at_eye = [&](double sum) {
+            return ratio_or_zero(sum, double{secondary.weight});
+        };
         float* further = &out[secondary_planes_of_band.size()];
         out[secondary_planes_of_band.size() - 1] =
             at_eye(of_row(i, static_cast<std::size_t>(Term::behind), b));
@@ -242,7 +244,7 @@ class SecondaryValues {
             sum += double{share[c] * light_[c]};
             whole += double{light_[c]};
         }
-        return ratio(sum, whole);
+        return ratio_or_zero(sum, whole);
     }
 
     float mirror(std::size_t b, const SecondaryRay& secondary) const {

@@ -16,9 +16,9 @@ namespace diurna {
 namespace {
 
 /// Values one after the other as bytes, arrays after their sizes.
-class Facts {
+class KeyFacts {
  public:
-    explicit Facts(const char* of)
+    explicit KeyFacts(const char* of)
         : text_(fmt::format("{} {} {}\n", of, DIURNA_VERSION, program())) {}
     template <class T>
     void number(T value) {
@@ -44,7 +44,7 @@ class Facts {
 
 /// (facet) what goes through it, as a number in the order of first use, so that paints that let
 /// nothing pass are one; and these, as they are.
-void add_passing(const Prepared& prepared, Facts& facts) {
+void add_passing(const Prepared& prepared, KeyFacts& facts) {
     const std::vector<PassedLight> passed = passed_light(prepared.scene.materials);
     std::vector<std::uint16_t> kind(passed.size(), 0);
     std::vector<const PassedLight*> kinds;
@@ -74,7 +74,7 @@ void add_passing(const Prepared& prepared, Facts& facts) {
     }
 }
 
-void add_relief(const HeightField& relief, Facts& facts) {
+void add_relief(const HeightField& relief, KeyFacts& facts) {
     const int columns = relief.columns(), rows = relief.rows();
     facts.number(columns);
     facts.number(rows);
@@ -93,7 +93,7 @@ void add_relief(const HeightField& relief, Facts& facts) {
     }
 }
 
-void add_visibility(const Prepared& prepared, Facts& facts) {
+void add_visibility(const Prepared& prepared, KeyFacts& facts) {
     const World& world = prepared.world;
     const FacetSet& facets = world.facets;
     facts.array<Eigen::Vector3f>(facets.vertex);
@@ -121,13 +121,13 @@ void add_visibility(const Prepared& prepared, Facts& facts) {
 }  // namespace
 
 std::string visibility_key(const Prepared& prepared) {
-    Facts facts("visibility");
+    KeyFacts facts("visibility");
     add_visibility(prepared, facts);
     return facts.digest();
 }
 
 std::string sky_key(const Prepared& prepared, bool sunlight) {
-    Facts facts("sky");
+    KeyFacts facts("sky");
     facts.line(visibility_key(prepared));
     facts.number(sunlight);
     return facts.digest();
@@ -135,7 +135,7 @@ std::string sky_key(const Prepared& prepared, bool sunlight) {
 
 std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instants,
                     std::span<const std::uint8_t> asked) {
-    Facts facts("sun");
+    KeyFacts facts("sun");
     facts.line(visibility_key(prepared));
     const Site& site = prepared.world.site;
     for (const double of : {site.latitude_deg, site.longitude_deg, site.height}) facts.number(of);
@@ -155,7 +155,7 @@ std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instan
 std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
                      double tolerance) {
     const Scene& scene = prepared.scene;
-    Facts facts("heat");
+    KeyFacts facts("heat");
     facts.line(visibility_key(prepared));
     const bool pictures_count = tolerance > 0.0 || !prepared.movement.none();
     std::vector<RunInput> others;

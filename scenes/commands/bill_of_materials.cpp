@@ -9,14 +9,14 @@ namespace diurna {
 
 namespace {
 
-struct Origin {
+struct LibraryOrigin {
     const char* package;  // of Debian 12, to build with
     const char* licence;  // SPDX
 };
 
 /// Licences as the packages' copyright files state them.
-const std::map<std::string, Origin>& origins() {
-    static const std::map<std::string, Origin> all{
+const std::map<std::string, LibraryOrigin>& origins() {
+    static const std::map<std::string, LibraryOrigin> all{
         {"Boost", {"libboost-dev", "BSL-1.0"}},
         {"CGAL", {"libcgal-dev", "GPL-3.0-or-later"}},
         {"cereal", {"libcereal-dev", "BSD-3-Clause"}},

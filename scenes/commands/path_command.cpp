@@ -165,16 +165,23 @@ void add_path_verb(CLI::App& app) {
     const auto a = std::make_shared<PathArguments>();
     CLI::App* verb =
         app.add_subcommand("path", "transmittance and radiance of one path through the atmosphere");
-    verb->add_option("--profile", a->profile,
-                     "TROP, MLS, MLW, SAS, SAW, US76, or a radiosonde's .csv file");
-    verb->add_option("--aerosol", a->aerosol, "aerosol: none, rural, maritime, urban, ...");
+    verb->add_option(
+        "--profile", a->profile,
+        "air: TROP, MLS, MLW, SAS, SAW, US76, or a radiosonde's .csv file (default: US76)");
+    verb->add_option("--aerosol", a->aerosol,
+                     "aerosol, one of those that diurna doctor lists (default: none)");
     within(verb->add_option("--visibility-km", a->visibility_km,
                             "visibility at the ground (default: 23)"),
            {0.05, 300.0}, "km");
-    within(verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (default: today's)"),
+    within(verb->add_option("--co2-ppm", a->co2_ppm,
+                            "carbon dioxide (default: 425, the value of 2025)"),
            {0.0, 1e4}, "ppm");
-    within(verb->add_option("--ground-km", a->ground_km, "base of the haze"), {-0.5, 5.5}, "km");
-    within(verb->add_option("--rain-mm-h", a->rain_mm_h, "rain rate along the whole path"),
+    within(
+        verb->add_option("--ground-km", a->ground_km,
+                         "height of the ground above the sea, where the haze begins (default: 0)"),
+        {-0.5, 5.5}, "km");
+    within(verb->add_option("--rain-mm-h", a->rain_mm_h,
+                            "rain rate along the whole path (default: 0)"),
            {0.0, 300.0}, "mm/h");
     within(verb->add_option("--height-km", a->path.height_km,
                             "height of the path's start above the sea"),
@@ -189,13 +196,14 @@ void add_path_verb(CLI::App& app) {
            AirPath::heights_km, "km");
     verb->add_flag("--to-ground", a->path.to_ground, "the path ends at the ground");
     verb->add_flag("--to-space", a->path.to_space, "the path ends above the atmosphere");
-    within(verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "add scattered sunlight"),
+    within(verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg,
+                            "zenith angle of the sun; adds scattered sunlight"),
            {0.0, 180.0});
     within(verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg,
-                            "azimuth of the path"),
+                            "azimuth of the path, measured from that of the sun"),
            {-360.0, 360.0});
     within(verb->add_option("--ground-albedo", a->path.ground_albedo,
-                            "albedo of the ground below the path (with a sun)"),
+                            "albedo of the ground below the path (with --sun-zenith-deg)"),
            {0.0, 1.0});
     verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be repeated")->required();
     verb->add_option("--csv", a->csv, "write the whole spectrum to this file");

@@ -166,7 +166,10 @@ void add_mesh_verb(CLI::App& app) {
                             "largest vertical distance between mesh and raster"),
            {0.0, 1e4}, "m")
         ->required();
-    verb->add_option("--frame", a->frame)->check(CLI::IsMember({"enu", "grid"}));
+    verb->add_option("--frame", a->frame,
+                     "coordinates of the mesh: enu, metres east, north and up of the raster's "
+                     "centre; grid, column, row and height (default: enu)")
+        ->check(CLI::IsMember({"enu", "grid"}));
     verb->add_option("--out", a->out, "write the mesh to this PLY file");
     verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { mesh_verb(*a); });

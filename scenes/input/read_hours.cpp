@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double seconds_of_day = 86400.0;
+constexpr double day_seconds = 86400.0;
 
 /// "05:30-06:10 0.3", with a date before it if it is of one day: hours and the share of the heat.
 std::optional<ClockHours::Window> hours_window(const std::string& text) {
@@ -37,10 +37,9 @@ std::optional<ClockHours::Window> hours_window(const std::string& text) {
     if (std::size_t(hours_end + share_end) != rest.size()) return std::nullopt;
     window.from = 3600.0 * h1 + 60.0 * m1;
     window.to = 3600.0 * h2 + 60.0 * m2;
-    const bool good = m1 < 60 && m2 < 60 && window.from < seconds_of_day &&
-                      window.to <= seconds_of_day && window.from != window.to &&
-                      window.share >= 0.0 && window.share <= 1.0;
-    if (window.to < window.from) window.to += seconds_of_day;  // over midnight
+    const bool good = m1 < 60 && m2 < 60 && window.from < day_seconds && window.to <= day_seconds &&
+                      window.from != window.to && window.share >= 0.0 && window.share <= 1.0;
+    if (window.to < window.from) window.to += day_seconds;  // over midnight
     return good ? std::optional(window) : std::nullopt;
 }
 
@@ -49,7 +48,7 @@ bool overlap(const ClockHours::Window& a, const ClockHours::Window& b) {
     const long apart = a.day && b.day ? *b.day - *a.day : 0;
     for (const long days : {apart - 1, apart, apart + 1}) {
         if (a.day && b.day && days != apart) continue;
-        const double later = double(days) * seconds_of_day;
+        const double later = double(days) * day_seconds;
         if (a.from < b.to + later && b.from + later < a.to) return true;
     }
     return false;

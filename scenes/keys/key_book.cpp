@@ -31,7 +31,7 @@ void add_once(std::vector<T>& to, const T& value) {
 
 /// What was asked of the tables of one path: which of them there were, which words they chose and
 /// in which of them a key was asked for.
-struct Readings {
+struct KeyReadings {
     std::map<std::string, std::map<std::string, std::string>>
         chosen;                                             // (table) words by their keys
     std::map<std::string, std::set<std::string>> asked;     // (key's path) tables
@@ -105,7 +105,7 @@ void drop_within(const std::string& table, std::vector<KeyEntry>& entries,
 }  // namespace
 
 std::vector<KeyEntry> key_entries(std::span<const Key> asked) {
-    std::map<std::string, Readings> readings;  // (path of tables)
+    std::map<std::string, KeyReadings> readings;  // (path of tables)
     for (const Key& key : asked) readings[table_of(key.path)].add(key);
     std::vector<KeyEntry> entries;
     std::map<std::string, std::size_t> place;  // (path)

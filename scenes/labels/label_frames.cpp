@@ -26,14 +26,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// One picture to come, who takes it and which of the observer's frames it is.
-struct Task {
+struct FrameTask {
     std::size_t observer, frame;
     Band band;
 };
 
 /// Those of all observers, instants and bands.
-std::vector<Task> tasks_of(const Prepared& prepared) {
-    std::vector<Task> tasks;
+std::vector<FrameTask> tasks_of(const Prepared& prepared) {
+    std::vector<FrameTask> tasks;
     for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
         for (std::size_t i = 0; i < prepared.sequences[o].frame.size(); ++i) {
             for (const std::string& band : prepared.scene.observers[o].bands) {
@@ -45,7 +45,7 @@ std::vector<Task> tasks_of(const Prepared& prepared) {
 }
 
 /// - whole: of the observer's objects
-LabelledPicture labelled(const Prepared& prepared, const Task& task,
+LabelledPicture labelled(const Prepared& prepared, const FrameTask& task,
                          const std::map<int, WholeObject>& whole, const LabelBook& book,
                          const fs::path& out) {
     const ObserverInput& input = prepared.scene.observers[task.observer];
@@ -121,7 +121,7 @@ std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const L
             },
             1);
     }
-    const std::vector<Task> tasks = tasks_of(prepared);
+    const std::vector<FrameTask> tasks = tasks_of(prepared);
     std::vector<LabelledPicture> pictures(tasks.size());
     const std::vector<Instant>& instants = prepared.plan.frames;
     const std::vector<bool> validation = validation_instants(
@@ -160,7 +160,7 @@ std::vector<std::string> label_frames(const Prepared& prepared, const fs::path& 
     std::array<std::vector<const LabelledPicture*>, 2> part;  // training, validation
     std::array<std::string, 2> list;
     std::size_t next = 0;
-    for (const Task& task : tasks_of(prepared)) {
+    for (const FrameTask& task : tasks_of(prepared)) {
         const LabelledPicture& picture = pictures[next++];
         all.push_back(&picture);
         part[picture.validation].push_back(&picture);

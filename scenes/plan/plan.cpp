@@ -23,7 +23,7 @@ namespace {
 
 constexpr const PlanCosts& costs = plan_costs;
 constexpr double frost_air = 276.0;  // [K] under which open ground may freeze
-constexpr double seconds_of_day = 86400.0;
+constexpr double one_day = 86400.0;
 constexpr double network_longest = 300.0;   // [s] steps of bodies of heat (network_facets.hpp)
 constexpr double planes_of_picture = 14.0;  // of truth, beside those of its bands
 constexpr std::size_t most_poses = 12;      // of a way, at which what is seen is counted
@@ -38,7 +38,7 @@ struct PointWork {
 /// dew, rain and frost come and go, however long the steps are; the first day repeats.
 PointWork point_work(const Scene& scene, const World& world, const Weather& weather) {
     // Of the span, and of the days before it that its start may take.
-    const Instant from = later(scene.time.start, -seconds_of_day * scene.time.days_before);
+    const Instant from = later(scene.time.start, -one_day * scene.time.days_before);
     const auto any = [&](auto has) {
         for (std::size_t i = 0; i < weather.instant.size(); ++i) {
             const bool counts =
@@ -72,8 +72,8 @@ PointWork point_work(const Scene& scene, const World& world, const Weather& weat
         work.seconds += each[index(id)];
         work.freezing += cold[index(id)];
     }
-    const double steps = seconds_of_day / scene.time.step;
-    const double more = std::max(0.0, scene.time.duration / seconds_of_day - 1.0);
+    const double steps = one_day / scene.time.step;
+    const double more = std::max(0.0, scene.time.duration / one_day - 1.0);
     work.seconds *= (1.0 + costs.lane_by_steps * steps) * (1.0 + costs.lane_day_more * more);
     return work;
 }
@@ -96,8 +96,8 @@ std::size_t network_facets(const Scene& scene, const World& world) {
 
 /// Processor time of bodies of heat [s]: their first day repeats, those after it are gone through.
 double network_seconds(const Scene& scene, std::size_t facets) {
-    const double steps = seconds_of_day / std::min(scene.time.step, network_longest);
-    const double more = std::max(0.0, scene.time.duration / seconds_of_day - 1.0);
+    const double steps = one_day / std::min(scene.time.step, network_longest);
+    const double more = std::max(0.0, scene.time.duration / one_day - 1.0);
     return double(facets) * (costs.network_day + costs.network_step * steps) *
            (1.0 + costs.network_day_more * more);
 }
@@ -246,7 +246,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     const double instruments = instrument_seconds(scene, through, plan);
     // Fluxes: one more pass, eight values beside each temperature that is kept.
     const double kept = double(scene_span(scene).wanted.size());
-    const double day_steps = seconds_of_day / scene.time.step + 1.0;  // no more than a day is held
+    const double day_steps = one_day / scene.time.step + 1.0;  // no more than a day is held
     const double passes = scene.output.fluxes ? costs.flux_passes : 1.0;
     const double values = facets * kept * (scene.output.fluxes ? 9.0 : 1.0);
     // Ground that lies finer than its tolerance asks for does so for objects, which it sees.

@@ -41,8 +41,8 @@ std::string figure(const PictureSeries& series, const SeriesPicture& picture,
 
 /// What the two scales are called, and which is chosen to begin with.
 std::string choice(std::size_t number) {
-    constexpr std::pair<const char*, const char*> scales[] = {{"each", "its own scale"},
-                                                              {"one", "one scale for all"}};
+    constexpr std::pair<const char*, const char*> scales[] = {
+        {"each", "own scale for each picture"}, {"one", "one scale for all"}};
     std::string out;
     for (const auto& [name, says] : scales) {
         out += fmt::format(
@@ -76,7 +76,7 @@ std::string picture_series(const PictureSeries& series, const Prepared& prepared
     out += fmt::format(
         "<div class=\"player\" hidden><img class=\"big\" alt=\"\"><p class=\"now\"></p>\n"
         "<input type=\"range\" min=\"0\" max=\"{}\" step=\"1\" value=\"0\" aria-label=\"time\">"
-        "<label class=\"together\"><input type=\"checkbox\" checked> together with the others"
+        "<label class=\"together\"><input type=\"checkbox\" checked> move all series together"
         "</label></div>\n",
         series.picture.size() - 1);
     if (!series.unit.empty()) {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float apart = 0.05f;  // [m] that places of the same facet may be
+constexpr float moved_by = 0.05f;  // [m] that places of the same facet may be
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& problem) {
     throw InputError(file.string(), "belongs to another scene: " + problem,
@@ -54,7 +54,7 @@ void check_facets(const Prepared& prepared, const fs::path& file, std::size_t fo
     float most = 0.0f;
     for (std::size_t f = 0; f < found; ++f) {
         const float off = (mesh.facets.centroid[f] - placed.centroid[f]).norm();
-        elsewhere += off > apart;
+        elsewhere += off > moved_by;
         most = std::max(most, off);
     }
     if (elsewhere > 0) {

@@ -28,16 +28,16 @@ namespace diurna {
 namespace {
 
 /// The ways that six receivers face, in the order of mean_radiant_temperature().
-struct Way {
+struct ReceiverFace {
     const char* name;
     Eigen::Vector3d normal;
 };
-const std::array<Way, 6>& six_ways() {
-    static const std::array<Way, 6> ways = {
-        Way{"down", {0, 0, 1}},  // falls from above
-        Way{"up", {0, 0, -1}},   // comes from below
-        Way{"from_north", {0, 1, 0}},  Way{"from_east", {1, 0, 0}},
-        Way{"from_south", {0, -1, 0}}, Way{"from_west", {-1, 0, 0}}};
+const std::array<ReceiverFace, 6>& six_faces() {
+    static const std::array<ReceiverFace, 6> ways = {
+        ReceiverFace{"down", {0, 0, 1}},  // falls from above
+        ReceiverFace{"up", {0, 0, -1}},   // comes from below
+        ReceiverFace{"from_north", {0, 1, 0}},  ReceiverFace{"from_east", {1, 0, 0}},
+        ReceiverFace{"from_south", {0, -1, 0}}, ReceiverFace{"from_west", {-1, 0, 0}}};
     return ways;
 }
 
@@ -157,9 +157,11 @@ Readings begin_readings(const PlacedRadiometer& radiometer, const World& world) 
                        ",shortwave_W_m2,longwave_W_m2,sun_W_m2,sky_W_m2,reflected_W_m2,"
                        "sky_longwave_W_m2,sun_in_view\n");
     } else {
-        for (const Way& way : six_ways()) receivers.push_back({radiometer.place, way.normal});
+        for (const ReceiverFace& face : six_faces())
+            receivers.push_back({radiometer.place, face.normal});
         for (const char* kind : {"shortwave", "longwave"}) {
-            for (const Way& way : six_ways()) fmt::format_to(out, ",{}_{}_W_m2", kind, way.name);
+            for (const ReceiverFace& face : six_faces())
+                fmt::format_to(out, ",{}_{}_W_m2", kind, face.name);
         }
         fmt::format_to(out, ",mean_radiant_temperature_K,sun_in_view\n");
     }

@@ -47,8 +47,8 @@ std::string water_reported(const SolveReport& report) {
     if (report.unfollowed > 0) {
         parts.push_back(
             fmt::format("{} without rain and dew store: dew would change their temperature by less "
-                        "than {:.2g} K, or the ground evaporates by itself (dew's heat is "
-                        "included, its evaporation, up to {:.2g} mm, is not)",
+                        "than {:.2g} K, or the ground evaporates by itself (the heat of dew is "
+                        "included; its later evaporation, up to {:.2g} mm, is not)",
                         number_of(report.unfollowed, "facet"), std::max(0.01, report.dew_left_out),
                         report.most_dew_unfollowed));
     }

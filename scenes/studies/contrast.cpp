@@ -29,7 +29,7 @@ constexpr double entropy_step = 0.1;  // [K]
 constexpr float whole = 0.999f;
 
 /// Where a target is in a picture, and what is around it.
-struct Place {
+struct TargetPlace {
     std::vector<float> cover;                      // (pixel)
     std::vector<std::uint8_t> in;                  // (pixel) 1 where it covers anything
     std::vector<std::uint8_t> filled;              // 1 where nothing else is
@@ -39,10 +39,11 @@ struct Place {
 };
 
 /// - ring: times the box's sides, at least two pixels
-Place place_of(std::vector<float> cover, const std::vector<std::uint8_t>& any, int width,
-               int height, double ring) {
+TargetPlace place_of(std::vector<float> cover, const std::vector<std::uint8_t>& any, int width,
+                     int height, double ring) {
     const std::size_t size = cover.size();
-    Place place{.cover = std::move(cover), .in = {}, .filled = {}, .border = {}, .around = {}};
+    TargetPlace place{
+        .cover = std::move(cover), .in = {}, .filled = {}, .border = {}, .around = {}};
     place.in.resize(size);
     place.filled.resize(size);
     place.border.assign(size, 0);
@@ -88,7 +89,7 @@ struct Means {
 };
 
 /// A pixel's difference from the background is that of the share which the target covers.
-Means means_of(const std::vector<float>& value, const Place& place) {
+Means means_of(const std::vector<float>& value, const TargetPlace& place) {
     Means means;
     double sum = 0.0, count = 0.0;
     for (std::size_t p = 0; p < value.size(); ++p) {
@@ -122,7 +123,7 @@ Means means_of(const std::vector<float>& value, const Place& place) {
 struct Distance {
     double range = none, height = none;
 };
-Distance distance_of(const View& view, const Place& place, double sea_level_height) {
+Distance distance_of(const View& view, const TargetPlace& place, double sea_level_height) {
     double range = none, sum = 0.0, count = 0.0;
     for (std::size_t p = 0; p < place.in.size(); ++p) {
         if (place.filled[p] == 0) continue;
@@ -136,7 +137,7 @@ Distance distance_of(const View& view, const Place& place, double sea_level_heig
     return {range, count > 0.0 ? sea_level_height + sum / count : none};
 }
 
-ContrastRow contrast_row(const Frame& frame, const std::string& band, const Place& place) {
+ContrastRow contrast_row(const Frame& frame, const std::string& band, const TargetPlace& place) {
     const std::vector<float>& kelvin = frame["apparent_temperature." + band].pixel;
     const PlaneView plane{kelvin, frame.width, frame.height};
     ContrastRow row{.when = {}, .band = band};
@@ -189,7 +190,7 @@ class Pictures {
         Frame frame;
         std::vector<std::vector<float>> cover;  // (target)(pixel)
         std::vector<Distance> distance;         // (target)
-        std::vector<Place> place;
+        std::vector<TargetPlace> place;
     };
 
     Shot take(std::size_t k, const ContrastInput& asked) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "materials/base/number_of.hpp"
+#include "scenes/studies/band_words.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/signature_scene.hpp"
 #include "terrain/place/local_time.hpp"
@@ -17,20 +18,20 @@ std::string reported(const ContrastInput& input, const ContrastReport& report, c
     for (std::size_t w = 0; w < report.worst.size(); ++w) {
         const WorstContrast& worst = report.worst[w];
         const std::string& target = input.targets[w / input.bands.size()].name;
-        const std::string& band = input.bands[w % input.bands.size()];
+        const std::string band = band_words(input.bands[w % input.bands.size()]);
         if (worst.row >= report.row.size()) {
-            text += fmt::format("{}: {} in {} um: not visible in any picture\n", input.name, target,
-                                band);
+            text +=
+                fmt::format("{}: {} in {}: not visible in any picture\n", input.name, target, band);
             continue;
         }
         const ContrastRow& row = report.row[worst.row];
         text += fmt::format(
-            "{}: {} in {} um: {:.2f} +- {:.2g} K at {} from {}; above {:g} K in {:.0f} % of the "
-            "pictures; lowest {:.2f} K; clutter {:.2f} K\n",
+            "{}: {} in {}: highest {:.2f} +- {:.2g} K at {} from {}, clutter {:.2f} K; lowest "
+            "{:.2f} K; above {:g} K in {:.0f} % of the pictures\n",
             input.name, target, band, row.rss, worst.error,
             format_local(row.when, scene.time.utc_offset),
-            scene.observers[input.observers[row.observer]].name, input.threshold,
-            100.0 * worst.share, worst.least, row.clutter);
+            scene.observers[input.observers[row.observer]].name, row.clutter, worst.least,
+            input.threshold, 100.0 * worst.share);
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scenes/studies/band_words.hpp"
 #include "scenes/studies/study_files.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -147,8 +148,8 @@ std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& re
     for (const CrossoverDay& day : report.band) {
         const Instant start = day.instant.front();
         const auto hours = [&](Instant when) { return seconds_between(start, when) / 3600.0; };
-        Chart chart{.title = fmt::format("{} minus {}, {} um", input.first.name, input.second.name,
-                                         day.band),
+        Chart chart{.title = fmt::format("{} minus {}, {}", input.first.name, input.second.name,
+                                         band_words(day.band)),
                     .x_title = "hours after " + format_local(start, utc_offset),
                     .y_title = "K",
                     .x_last = hours(day.instant.back()),

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/base/number_of.hpp"
+#include "scenes/studies/band_words.hpp"
 #include "scenes/studies/crossover_files.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -28,7 +29,7 @@ std::string reported(const CrossoverInput& input, const TimedCrossing& one, doub
     if (one.kind != ZeroCrossing::Kind::touches && !input.uncertain.empty()) {
         text += fmt::format(", +- {:.1f} min (one standard deviation, 68 %)", one.sigma / 60.0);
     }
-    if (one.refined) text += fmt::format(", refined by {:+.0f} s", *one.refined);
+    if (one.refined) text += fmt::format(", {:+.0f} s by refinement", *one.refined);
     for (const std::string& key : gone_with(input, one)) text += ", absent with " + key;
     return text + "\n";
 }
@@ -38,8 +39,7 @@ std::string without_effect(const CrossoverInput& input) {
     if (input.uncertain.empty()) return "";
     std::vector<std::string> keys;
     for (const UncertainInput& one : input.uncertain) keys.push_back(one.key);
-    return fmt::format(", so {} {} no effect on its time", fmt::join(keys, ", "),
-                       keys.size() == 1 ? "has" : "have");
+    return fmt::format("; no crossover that {} could shift", fmt::join(keys, ", "));
 }
 
 std::string reported(const CrossoverInput& input, const CrossoverReport& report,
@@ -48,9 +48,9 @@ std::string reported(const CrossoverInput& input, const CrossoverReport& report,
     for (const CrossoverDay& day : report.band) {
         const double hours = seconds_between(day.instant.front(), day.instant.back()) / 3600.0;
         text += fmt::format(
-            "{} {} um: {} and {}, {} and {} pixels: {:.1f} of {:.1f} h below {:g} K\n", input.name,
-            day.band, input.first.name, input.second.name, report.first_pixels,
-            report.second_pixels, day.lost / 3600.0, hours, input.threshold);
+            "{} {}: {} and {}, {} and {} pixels: contrast below {:g} K for {:.1f} of {:.1f} h\n",
+            input.name, band_words(day.band), input.first.name, input.second.name,
+            report.first_pixels, report.second_pixels, input.threshold, day.lost / 3600.0, hours);
         if (day.crossing.empty()) {
             text += fmt::format("  no crossover: smallest difference {:.2f} K{}\n", day.worst_least,
                                 without_effect(input));

@@ -13,7 +13,7 @@ namespace diurna {
 namespace {
 
 std::string shown(double value) {
-    return std::isfinite(value) ? fmt::format("{:+.3f}", value) : "gone";
+    return std::isfinite(value) ? fmt::format("{:+.3f}", value) : "absent";
 }
 
 std::string reported(const SensitivityInput& input, const SensitivityReport& report) {

@@ -209,7 +209,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
                                 features, none.corner));
             }
             for (std::size_t i = before; i < shapes.size(); ++i) corners += shapes[i].ring.size();
-            if (corners > most_corners) {
+            if (corners > most_ring_corners) {
                 throw InputError(file.string(), "has more than a million corners");
             }
         }

@@ -8,7 +8,7 @@ namespace diurna {
 
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using Bounds = Eigen::AlignedBox3d;
 using Polygon = std::vector<Eigen::Vector3d>;  // east and north of a plane, height over it
 
 std::array<Eigen::Vector3d, 3> corners_of(const FacetSet& facets, std::uint32_t f) {
@@ -18,8 +18,8 @@ std::array<Eigen::Vector3d, 3> corners_of(const FacetSet& facets, std::uint32_t 
     }
     return corner;
 }
-Box box_of(const FacetSet& facets, std::uint32_t f) {
-    Box box;
+Bounds box_of(const FacetSet& facets, std::uint32_t f) {
+    Bounds box;
     for (const Eigen::Vector3d& corner : corners_of(facets, f)) box.extend(corner);
     return box;
 }
@@ -80,22 +80,22 @@ std::vector<TouchingFacets> touching_facets(const FacetSet& facets,
     constexpr float opposed = -0.7f;
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(gap);
     const auto grown = [&](std::uint32_t f) {
-        const Box box = box_of(facets, f);
-        return Box(box.min() - margin, box.max() + margin);
+        const Bounds box = box_of(facets, f);
+        return Bounds(box.min() - margin, box.max() + margin);
     };
-    Box whole;
+    Bounds whole;
     for (const std::uint32_t f : a) whole.extend(grown(f));
     std::vector<std::uint32_t> near;
-    std::vector<Box> box;
+    std::vector<Bounds> box;
     for (const std::uint32_t f : b) {
-        const Box own = box_of(facets, f);
+        const Bounds own = box_of(facets, f);
         if (!whole.intersects(own)) continue;
         near.push_back(f);
         box.push_back(own);
     }
     std::vector<TouchingFacets> touching;
     for (const std::uint32_t f : a) {
-        const Box reach = grown(f);
+        const Bounds reach = grown(f);
         for (std::size_t k = 0; k < near.size(); ++k) {
             if (near[k] == f || !reach.intersects(box[k])) continue;
             if (facets.normal[f].dot(facets.normal[near[k]]) > opposed) continue;

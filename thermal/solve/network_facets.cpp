@@ -13,7 +13,7 @@ namespace diurna {
 namespace {
 
 constexpr double longest_step = 300.0;          // [s]
-constexpr double repeats = 3e-3;                // [K] of a period that is found
+constexpr double repeats_within = 3e-3;         // [K] of a period that is found
 constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 constexpr double about_alike = 5.0;             // [W m⁻²] of neighbours' heat
 constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
@@ -174,8 +174,8 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const double open = target.level == level.stride ? moved(target) : 1e9;
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
-    const bool once =
-        !target.kelvin.empty() && open > (in_hours ? about_alike : usual_loss_of_network * repeats);
+    const bool once = !target.kelvin.empty() &&
+                      open > (in_hours ? about_alike : usual_loss_of_network * repeats_within);
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
@@ -200,7 +200,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         target.residual = farthest_apart(target.end, target.start);
         target.move = farthest_apart(onward, target.start);
         target.start = onward;
-        if (target.move <= repeats) break;
+        if (target.move <= repeats_within) break;
     }
     target.count = stepper.count;
 }

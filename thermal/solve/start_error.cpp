@@ -10,9 +10,9 @@ namespace diurna {
 
 namespace {
 
-constexpr double seconds_of_day = 86400.0;       // [s]
-constexpr int most_days = 30;                    // of a better start
-constexpr double followed = 2 * seconds_of_day;  // [s] of the span
+constexpr double day_length = 86400.0;       // [s]
+constexpr int most_days = 30;                // of a better start
+constexpr double followed = 2 * day_length;  // [s] of the span
 
 /// A level triangle of each material that facets are of, all in the open.
 struct LevelGround {
@@ -67,11 +67,10 @@ TemperatureField through(const SolveInput& scene, const Weather& weather, const 
 /// many a day; 0 where they do not.
 std::size_t rows_a_day(const Weather& weather, std::size_t first, int days) {
     const auto& when = weather.instant;
-    const auto next =
-        std::lower_bound(when.begin(), when.end(), later(when[first], seconds_of_day));
+    const auto next = std::lower_bound(when.begin(), when.end(), later(when[first], day_length));
     const auto rows = static_cast<std::size_t>(next - when.begin()) - first;
     for (std::size_t i = first; i < first + rows * std::size_t(days - 1); ++i) {
-        if (i + rows >= when.size() || when[i + rows] != later(when[i], seconds_of_day)) return 0;
+        if (i + rows >= when.size() || when[i + rows] != later(when[i], day_length)) return 0;
     }
     return rows;
 }
@@ -81,7 +80,7 @@ std::size_t rows_a_day(const Weather& weather, std::size_t first, int days) {
 /// where days are not of the same rows.
 Weather with_mean_day_before(const Weather& weather, Instant start, int days) {
     const auto begin = std::lower_bound(weather.instant.begin(), weather.instant.end(),
-                                        later(start, -seconds_of_day * days));
+                                        later(start, -day_length * days));
     const auto first = static_cast<std::size_t>(begin - weather.instant.begin());
     const std::size_t rows = rows_a_day(weather, first, days);
     if (rows == 0) return weather;
@@ -98,7 +97,7 @@ Weather with_mean_day_before(const Weather& weather, Instant start, int days) {
                 between(mean, weather.sample[first + row + std::size_t(k) * rows], 1.0 / (k + 1.0));
         }
         result.instant.insert(result.instant.begin(),
-                              later(weather.instant[first + row], -seconds_of_day));
+                              later(weather.instant[first + row], -day_length));
         result.sample.insert(result.sample.begin(), mean);
         if (!weather.span.empty()) {
             result.span.insert(result.span.begin(), weather.span[first + row]);

@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double one_day = 86400.0;  // [s]
 /// What measured sunlight is compared with: a vacuum's sky has no diffuse light to compare with.
 ClearSky with_air(ClearSky clear) {
     clear.bare_sun = false;
@@ -27,7 +27,8 @@ SkySeries::SkySeries(Weather weather, const Site& site, double elevation, const 
     : weather_(std::move(weather)),
       elevation_(elevation),
       clear_(clear),
-      course_(weather_, site, elevation, with_air(clear), later(from, -day), later(to, day)) {
+      course_(weather_, site, elevation, with_air(clear), later(from, -one_day),
+              later(to, one_day)) {
     infer_cloud();
     if (const std::string reported = tell(course_.report()); !reported.empty()) {
         weather_.note += (weather_.note.empty() ? "" : "; ") + reported;

@@ -16,12 +16,11 @@ namespace diurna {
 
 namespace {
 
-constexpr double solar_constant = 1361.0;  // [W m⁻²] at 1 AU (Kopp & Lean 2011)
-constexpr double least_lag = 2400.0;       // [s] valleys' late dawns make less
-constexpr double about = 5.0 * 86400.0;    // [s] before and behind the middle, for the lag
+constexpr double least_lag = 2400.0;     // [s] valleys' late dawns make less
+constexpr double about = 5.0 * 86400.0;  // [s] before and behind the middle, for the lag
 
 /// A kind of warning: how many samples it is of, and which comes first.
-struct Kind {
+struct WarningKind {
     std::string hint;
     std::string first{};
     std::size_t count = 0;
@@ -82,12 +81,12 @@ bool within(Instant when, Instant begin, Instant end) { return when >= begin && 
 
 void warn_of_states(const Weather& weather, Instant begin, Instant end, const std::string& where,
                     std::vector<Mistake>& warnings) {
-    Kind air{other_unit(
+    WarningKind air{other_unit(
         weather, "outside the range measured at the ground: ", "\"air_temperature degC\" or degF")};
-    Kind wind{other_unit(weather, "", "\"wind_speed km/h\" or kn")};
-    Kind rain{other_unit(weather, "", "\"rain mm\" per interval")};
-    Kind sky{"BSRN limits: check for net or upward radiation and the unit"};
-    Kind over_air{
+    WarningKind wind{other_unit(weather, "", "\"wind_speed km/h\" or kn")};
+    WarningKind rain{other_unit(weather, "", "\"rain mm\" per interval")};
+    WarningKind sky{"BSRN limits: check for net or upward radiation and the unit"};
+    WarningKind over_air{
         "limits are 0.4 to 1 times the black body of the air plus 25 W/m2 (BSRN): check for net or "
         "upward radiation and the unit of the air temperature"};
     const std::string weight = fmt::format(
@@ -97,7 +96,7 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
         weather.carried ? "check weather.height_m, and whether the elevation is in feet "
                           "(terrain.height_unit = \"ft\")"
                         : "check site.elevation_m");
-    Kind pressure{weight};
+    WarningKind pressure{weight};
     double most_humid = -1.0;
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
@@ -114,7 +113,7 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
         most_humid = std::max(
             most_humid, f.air.vapour_pressure / saturation_vapour_pressure(f.air.temperature));
     }
-    for (const Kind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, warnings);
+    for (const WarningKind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, warnings);
     if (sky.count == 0 && air.count == 0) over_air.tell(where, warnings);
     if (most_humid >= 0.0 && most_humid < 0.03) {
         warnings.push_back(
@@ -213,11 +212,11 @@ bool warn_of_times(const Weather& weather, const Site& site, Instant begin, Inst
 
 void warn_of_sunlight(const Weather& weather, const Site& site, Instant begin, Instant end,
                       const std::string& where, std::vector<Mistake>& warnings) {
-    Kind global{
+    WarningKind global{
         other_unit(weather, "above the BSRN limit: ", "\"shortwave_down kJ/m2\" and others")};
-    Kind direct{"above the solar irradiance: check the unit, and whether it is global"};
-    Kind diffuse{"above the BSRN limit: check the unit, and whether it is global"};
-    Kind up{"above the BSRN limit: check the unit"};
+    WarningKind direct{"above the solar irradiance: check the unit, and whether it is global"};
+    WarningKind diffuse{"above the BSRN limit: check the unit, and whether it is global"};
+    WarningKind up{"above the BSRN limit: check the unit"};
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
         if (!within(when, begin, end)) continue;
@@ -231,7 +230,7 @@ void warn_of_sunlight(const Weather& weather, const Site& site, Instant begin, I
         diffuse.look(f.diffuse, least, 0.95 * course + 50.0, when, "diffuse_W_m2");
         up.look(f.shortwave_up, least, 1.2 * course + 50.0, when, "shortwave_up_W_m2");
     }
-    for (const Kind& kind : {global, direct, diffuse, up}) kind.tell(where, warnings);
+    for (const WarningKind& kind : {global, direct, diffuse, up}) kind.tell(where, warnings);
 }
 
 }  // namespace

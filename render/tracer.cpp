@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "render/eye/apparent_temperature.hpp"
 #include "render/eye/eye_tables.hpp"
+#include "render/eye/linear_ground_sum.hpp"
 #include "render/eye/pixel_sum.hpp"
 #include "render/eye/pixel_sun_sum.hpp"
 #include "render/eye/surface_planes.hpp"
@@ -46,6 +47,12 @@ void check_sizes(const View& view, const RadianceInput& input) {
 void check_pixel_sun(const PixelSun& sun, const View& view) {
     if (!sun.sighting.empty() && sun.sighting.back() >= view.sighting.size()) {
         throw InputError("render", "the sun visibility of pixels belongs to another view");
+    }
+}
+
+void check_ground(const LinearGround& ground, const View& view) {
+    if (!ground.empty() && ground.warmer.size() != view.sighting.size()) {
+        throw InputError("render", "the temperatures within facets belong to another view");
     }
 }
 
@@ -148,6 +155,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
              const RadianceInput& input, const FrameOptions& options) {
     check_sizes(view, input);
     if (options.pixel_sun) check_pixel_sun(*options.pixel_sun, view);
+    if (options.ground) check_ground(*options.ground, view);
     Frame frame = empty_frame(view, observer, input);
     if (!bands.empty()) {
         // Light the facets that the picture depends on.
@@ -171,6 +179,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
             add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
             add_pixel_heat(view, *options.pixel_sun, light, eye, planes);
         }
+        if (options.ground) add_linear_ground(view, *options.ground, light, eye, planes);
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
@@ -191,13 +200,13 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
             add_notes(b, light, path, eye.grid(), frame);
         }
         if (options.surfaces > 0) {
-            add_surface_planes(view, light, eye, options.pixel_sun,
+            add_surface_planes(view, light, eye, options.pixel_sun, options.ground,
                                static_cast<std::size_t>(options.surfaces), frame);
             if (secondary_rays)
                 of_secondary_rays->add_surfaces(static_cast<std::size_t>(options.surfaces), frame);
         }
     }
-    if (options.truth) add_truth(view, input, options.pixel_sun, frame);
+    if (options.truth) add_truth(view, input, options.pixel_sun, options.ground, frame);
     return frame;
 }
 

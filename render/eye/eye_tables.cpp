@@ -144,16 +144,19 @@ void EyeTables::look_at_warmth(const View& view, const SceneLight& light,
                                std::span<const std::uint32_t> targets,
                                std::span<const float> warmer, std::span<AtEye> out) const {
     const RadiosityTables& tables = light.tables;
+    std::vector<float> more(targets.size() * tables.lanes);
+    for_each_block(targets.size(), 256, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> at_mean(tables.lanes);
+        for (std::size_t k = begin; k < end; ++k) {
+            const float mean = light.state.temperature[light.lit.target[targets[k]]];
+            float* const row = &more[k * tables.lanes];
+            black_modes(tables, mean, at_mean.data());
+            black_modes(tables, mean + warmer[k], row);
+            for (std::size_t j = 0; j < tables.lanes; ++j) row[j] -= at_mean[j];
+        }
+    });
     const auto fill = [&](std::size_t b, std::size_t k, float* row) {
-        std::array<std::vector<float>, 2> black;
-        const float mean = light.state.temperature[light.lit.target[targets[k]]];
-        for (std::size_t i = 0; i < 2; ++i) {
-            black[i].resize(tables.lanes);
-            black_modes(tables, i == 0 ? mean : mean + warmer[k], black[i].data());
-        }
-        for (std::size_t j = 0; j < rows_[b].thermal; ++j) {
-            row[j] = black[1][tables.first[b] + j] - black[0][tables.first[b] + j];
-        }
+        std::copy_n(&more[k * tables.lanes + tables.first[b]], rows_[b].thermal, row);
     };
     look_at(view, light, targets, fill, out);
 }

@@ -86,19 +86,22 @@ struct OwnState {
     std::vector<float> sun, warmer;          // share of the sun; [K] than the facet
     std::vector<std::uint32_t> warm, place;  // sightings that are warmer; index of each in `warm`
 
-    OwnState(const View& view, const RadianceInput& input, const PixelSun* pixels)
+    OwnState(const View& view, const RadianceInput& input, const PixelSun* pixels,
+             const LinearGround* ground)
         : sun(view.sighting.size(), 0.0f), warmer(sun), place(sun.size(), nothing_seen) {
         for (std::size_t s = 0; s < sun.size() && !input.sun_fraction.empty(); ++s) {
             sun[s] = input.sun_fraction[index(view.facet[view.sighting[s].target])];
         }
-        if (pixels == nullptr) return;
-        for (std::size_t e = 0; e < pixels->share.size(); ++e) {
+        if (ground != nullptr && !ground->empty()) warmer = ground->warmer;
+        for (std::size_t e = 0; pixels != nullptr && e < pixels->share.size(); ++e) {
             const std::uint32_t s = pixels->sighting[e];
             sun[s] = pixels->share[e];
-            if (pixels->warmer.empty() || pixels->warmer[e] == 0.0f) continue;
-            warmer[s] = pixels->warmer[e];
+            if (!pixels->warmer.empty()) warmer[s] += pixels->warmer[e];
+        }
+        for (std::size_t s = 0; s < warmer.size(); ++s) {
+            if (warmer[s] == 0.0f) continue;
             place[s] = static_cast<std::uint32_t>(warm.size());
-            warm.push_back(s);
+            warm.push_back(static_cast<std::uint32_t>(s));
         }
     }
 };
@@ -225,10 +228,11 @@ class SurfaceLight {
 }  // namespace
 
 void add_surface_planes(const View& view, const SceneLight& light, const EyeTables& eye,
-                        const PixelSun* sun, std::size_t surfaces, Frame& frame) {
+                        const PixelSun* sun, const LinearGround* ground, std::size_t surfaces,
+                        Frame& frame) {
     assert(eye.columns_of_band() == term_count);
     const RadianceInput& input = light.input;
-    const OwnState own(view, input, sun);
+    const OwnState own(view, input, sun, ground);
     const SurfaceLight of_surface(view, light, eye, own);
     const std::vector<std::uint32_t> seen = seen_most(view, surfaces);
     std::vector<float> unlisted(view.pixels());

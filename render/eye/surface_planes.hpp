@@ -4,6 +4,7 @@
 
 #include "render/eye/eye_tables.hpp"
 #include "render/picture/frame.hpp"
+#include "render/view/linear_ground.hpp"
 #include "render/view/pixel_sun.hpp"
 
 namespace diurna {
@@ -34,8 +35,9 @@ namespace diurna {
 /// band's nodes; the product of a row is the term of the radiance in TERM.BAND.
 ///
 /// - eye: with a column for every term
-/// - sun: null: every pixel has its facets' mean
+/// - sun, ground: null: every pixel has its facets' mean
 void add_surface_planes(const View& view, const SceneLight& light, const EyeTables& eye,
-                        const PixelSun* sun, std::size_t surfaces, Frame& frame);
+                        const PixelSun* sun, const LinearGround* ground, std::size_t surfaces,
+                        Frame& frame);
 
 }  // namespace diurna

@@ -10,10 +10,13 @@ namespace diurna {
 namespace {
 
 /// (pixel) [K] what its centre's facet is warmer there; empty: nothing anywhere.
-std::vector<float> warmer_centres(const View& view, const PixelSun* sun) {
+std::vector<float> warmer_centres(const View& view, const PixelSun* sun,
+                                  const LinearGround* ground) {
     std::vector<float> warmer;
+    if (ground != nullptr) warmer = ground->warmer_centre;
     if (sun == nullptr || sun->warmer.empty()) return warmer;
-    warmer.assign(view.pixels(), 0.0f);
+    warmer.resize(view.pixels(), 0.0f);
+    std::vector<float> in_sun(view.pixels(), 0.0f);
     for (std::size_t k = 0; k < sun->pixel.size(); ++k) {
         const std::size_t p = sun->pixel[k];
         const FacetId centre =
@@ -21,17 +24,19 @@ std::vector<float> warmer_centres(const View& view, const PixelSun* sun) {
         for (std::uint32_t e = sun->row[k]; e < sun->row[k + 1]; ++e) {
             const std::uint32_t target = view.sighting[sun->sighting[e]].target;
             if (view.facet[target] == centre && view.copy_of(target) == view.copy_at(p)) {
-                warmer[p] = sun->warmer[e];
+                in_sun[p] = sun->warmer[e];
             }
         }
     }
+    for (std::size_t p = 0; p < warmer.size(); ++p) warmer[p] += in_sun[p];
     return warmer;
 }
 
 }  // namespace
 
-void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun, Frame& frame) {
-    const std::vector<float> warmer = warmer_centres(view, sun);
+void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun,
+               const LinearGround* ground, Frame& frame) {
+    const std::vector<float> warmer = warmer_centres(view, sun, ground);
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     const FacetSet& facets = input.facets;
     const auto add_pixels = [&](const char* name, const char* unit, float sky, const auto& value) {

@@ -2,6 +2,7 @@
 
 #include "render/light/radiance_input.hpp"
 #include "render/picture/frame.hpp"
+#include "render/view/linear_ground.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
 
@@ -11,7 +12,8 @@ namespace diurna {
 /// a textured facet the temperature is the fourth root of the weighted mean of T⁴ of its two
 /// levels, and the material that of the larger share.
 ///
-/// - sun: temperature differences of pixels from their facets' mean; null: none
-void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun, Frame& frame);
+/// - sun, ground: temperature differences of pixels from their facets' mean; null: none
+void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun,
+               const LinearGround* ground, Frame& frame);
 
 }  // namespace diurna

@@ -75,7 +75,7 @@ void read_about(const Section& about, Scene& scene) {
     scene.seed = static_cast<std::uint64_t>(about.integer_or(
         "seed", "seed of all random numbers except those of textures", 1, {0, 1 << 30}));
     scene.sky_rays = about.integer_or(
-        "sky_rays", "rays to the sky per facet of the ground; near objects 2 to 32 times as many",
+        "sky_rays", "rays to the sky per facet of the ground; near objects 2 to 64 times as many",
         64, {16, 4096});
     scene.object_sky_rays = about.integer_or(
         "object_sky_rays", "rays to the sky per facet of buildings and objects", 256, {16, 4096});

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "materials/base/random.hpp"
+#include "render/view/linear_ground.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
@@ -50,10 +51,21 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
     const SunPosition place = sun_over(prepared, when);
     const std::vector<float> fraction =
         sun_on_surfaces(prepared, place, prepared.scene.sun_samples, near);
-    if (fraction.empty()) return warmer;
     const TextureLevels& levels = world.texture_levels;
     const FacetSet& surfaces = world.surfaces();
     const SunOverFacets sun{prepared.rays, surfaces, fraction, sun_direction(place)};
+    std::vector<FacetId> of_point;
+    for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
+    const std::vector<FacetSlope> slope =
+        facet_slopes(of_point, {.sun = sun,
+                                .ground_facets = world.ground_facets,
+                                .levels = &levels,
+                                .temperature = temperature});
+    for (std::size_t k = 0; k < warmer.size(); ++k) {
+        const CheckPoint& point = points.point[k];
+        warmer[k] = slope[k].at((point.place - surfaces.centroid[point.surface]).head<2>());
+    }
+    if (fraction.empty()) return warmer;
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
     for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
         crossed.push_back(crossed[levels.solid_of(f)]);
@@ -64,7 +76,7 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
     const SunExposure on_patch = sun_at(points, prepared, {when});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const std::uint32_t f = points.point[k].surface;
-        warmer[k] = kelvins[f] * (on_patch.fraction[k] - fraction[f]);
+        warmer[k] += kelvins[f] * (on_patch.fraction[k] - fraction[f]);
     }
     return warmer;
 }

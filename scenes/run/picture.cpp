@@ -12,6 +12,7 @@
 
 #include "render/picture/cube.hpp"
 #include "render/tracer.hpp"
+#include "render/view/linear_ground.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/run/covered_surfaces.hpp"
@@ -127,6 +128,13 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     if (!light.moon) {
         set_pixel_heat(s.view, over, materials, temperature, s.sampling.texture_levels, pixel_sun);
     }
+    const LinearGround ground =
+        linear_ground(s.view, s.observer,
+                      {.sun = over,
+                       .ground_facets = world.ground_facets,
+                       .levels = s.sampling.texture_levels,
+                       .temperature = temperature,
+                       .lit = covered || measured ? std::span<const FacetId>() : s.lit.facet});
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
@@ -134,6 +142,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                           .lit = covered || measured ? nullptr : &s.lit,
                           .secondary_rays = &s.secondary_rays,
                           .pixel_sun = &pixel_sun,
+                          .ground = &ground,
                           .plumes = prepared.plumes});
     check_finite(frame, s.input.bands);
     frame.notes["local_time"] = format_local(instant, prepared.scene.time.utc_offset);
@@ -159,6 +168,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                                        .lit = covered || measured ? nullptr : &cube.lit,
                                        .secondary_rays = &s.secondary_rays,
                                        .pixel_sun = &pixel_sun,
+                                       .ground = &ground,
                                        .plumes = prepared.plumes});
         cubes.push_back(cube_of(channels, cube.channels));
     }

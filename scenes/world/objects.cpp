@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "materials/base/error.hpp"
-#include "terrain/ground/rings.hpp"
 
 namespace diurna {
 
@@ -92,15 +91,6 @@ GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place
         patch.ring.push_back(place + reach * Eigen::Vector2d(x, y));
     }
     return patch;
-}
-
-std::vector<GroundPatch> rings_round(const std::vector<Eigen::Vector2d>& plan, double height,
-                                     double nearest) {
-    std::vector<GroundPatch> rings;
-    for (double distance = nearest; distance < 2.0 * height; distance *= 2.0) {
-        rings.push_back({widened(plan, distance), std::max(nearest, 0.5 * distance)});
-    }
-    return rings;
 }
 
 }  // namespace diurna

@@ -37,10 +37,4 @@ struct GroundPatch {
 };
 GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place);
 
-/// Ground around walls: rings, each at twice the distance of the one before, as far as the shadow
-/// at a sun elevation of 27 degrees, divided to half their distance; the first, and the walls' own
-/// plan, to `nearest`.
-std::vector<GroundPatch> rings_round(const std::vector<Eigen::Vector2d>& plan, double height,
-                                     double nearest);
-
 }  // namespace diurna

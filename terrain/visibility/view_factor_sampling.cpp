@@ -135,21 +135,24 @@ SkyShares open_shares(const Eigen::Vector3f& normal, const SkyVector& covered, d
     return with_sky_view(shares, normal, double{open[0]} - weight * double{covered[0]}, sky_view);
 }
 
-/// Samplers of so many rays and of 2, 4 ... 32 times as many, for ground near objects.
+/// Samplers of so many rays and of 2, 4 ... 64 times as many, for ground near objects.
 std::vector<HemisphereRays> finer_rays(const FacetViewOptions& options) {
     std::vector<HemisphereRays> finer;
     finer.emplace_back(options.rays, options.seed);
     if (options.near_objects.empty()) return finer;
-    for (int times = 2; times <= 32 && options.rays * times <= 4096; times *= 2) {
+    for (int times = 2; times <= 64 && options.rays * times <= 4096; times *= 2) {
         finer.emplace_back(options.rays * times, options.seed);
     }
     return finer;
 }
 
 /// Which of them suits ground from which so much of the sky is hidden: in streets and courtyards,
-/// where all ground is near objects, no more than four times as many rays.
-std::size_t finer_level(double hidden, std::size_t levels) {
-    const std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : hidden < 0.5 ? 2 : 1;
+/// where all ground is near objects, no more than four times as many rays. Most on ground divided
+/// finely around objects, where a camera that is close sees each facet.
+std::size_t finer_level(double hidden, float area, std::size_t levels) {
+    constexpr float finely = 2.0f;  // [m²]
+    std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : hidden < 0.5 ? 2 : 1;
+    if (area < finely && hidden < 0.02) wanted = 6;
     return std::min(wanted, levels - 1);
 }
 
@@ -198,7 +201,7 @@ FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene&
                 if (!options.near_objects[f]) continue;
                 level[f - begin] = finer_level(
                     1.0 - (first.sky[f - begin] + first.below[f - begin]) / options.rays,
-                    ground_rays.size());
+                    from.area[f], ground_rays.size());
             }
         }
         for (std::size_t f = begin; f < end; ++f) {

@@ -18,7 +18,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_corners = 1'000'000;
+constexpr std::size_t most_ring_corners = 1'000'000;
 struct NoPlace {
     std::string corner;
 };

@@ -8,7 +8,7 @@ program=build/release/diurna
 scene=scenes/jacksboro/scene.toml
 out=out/demo
 cores=$(nproc)
-core_minutes=15 # of a first build: the sum of its sources on two cores, with a margin
+core_minutes=20 # of a first build: the sum of its sources on two cores
 begin=$SECONDS
 
 step="the start"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the Debian packages of the program and of its libraries, and prints how to install them. Needs root once, for packages
-# that are missing (./setup.sh --packages). A first build takes about 8 minutes on two processors.
+# that are missing (./setup.sh --packages). A first build takes about 10 minutes on two processors.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ./setup.sh --packages

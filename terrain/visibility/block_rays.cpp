@@ -1,6 +1,8 @@
 #include "terrain/visibility/block_rays.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace diurna {
 
@@ -20,20 +22,48 @@ void RayQueue::take(std::size_t count, RayPacket& rays, std::array<std::uint32_t
 }
 
 void BlockRays::trace(const RayPacket& rays, int lanes, std::uint32_t from,
-                      const SkyBound::Sines& sines) {
+                      const SkyBound::Sines& sines, const OpenAbove* skyline) {
+    const auto doubtful = [&](std::size_t k) {
+        const float east = rays.direction_x[k], north = rays.direction_y[k];
+        const float up = rays.direction_z[k];
+        if (up > sines[compass_octant(east, north)]) return false;
+        if (skyline == nullptr) return true;
+        return up <= (*skyline)[compass_sector(east, north)] * std::hypot(east, north);
+    };
     const auto count = static_cast<std::size_t>(lanes);
     const std::size_t before = doubtful_.size;
+    std::size_t down = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t octant = compass_octant(rays.direction_x[k], rays.direction_y[k]);
-        doubtful_.put(rays, k, from, rays.direction_z[k] <= sines[octant]);
+        // What goes down almost surely meets something: the nearest is searched at once.
+        const bool goes_down = nearest_ && rays.direction_z[k] < 0.0f;
+        blocked_.put(rays, k, from, goes_down);
+        down += goes_down ? 1 : 0;
+        doubtful_.put(rays, k, from, !goes_down && doubtful(k));
     }
-    sky[from] += lanes - static_cast<int>(doubtful_.size - before);
+    sky[from] += lanes - static_cast<int>(down + doubtful_.size - before);
+    while (blocked_.size >= 16) ask_which(16);
     if (doubtful_.size >= 16) ask_whether(16);
 }
 
 void BlockRays::finish() {
     if (doubtful_.size > 0) ask_whether(doubtful_.size);
     if (blocked_.size > 0) ask_which(blocked_.size);
+    sort_by_owner();
+}
+
+void BlockRays::sort_by_owner() {
+    std::array<std::uint32_t, facets_per_block + 1> place{};
+    for (const std::uint32_t of : owner) ++place[of + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<std::uint32_t> sorted_owner(owner.size());
+    std::vector<Seen> sorted(seen.size(), Seen{FacetId{0}, 0.0f});
+    for (std::size_t k = 0; k < owner.size(); ++k) {
+        const std::uint32_t to = place[owner[k]]++;
+        sorted_owner[to] = owner[k];
+        sorted[to] = seen[k];
+    }
+    owner.swap(sorted_owner);
+    seen.swap(sorted);
 }
 
 void BlockRays::ask_whether(std::size_t count) {

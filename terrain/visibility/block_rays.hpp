@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "terrain/facets.hpp"
+#include "terrain/visibility/object_boxes.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/sky_basis.hpp"
 #include "terrain/visibility/sky_bound.hpp"
@@ -36,9 +37,9 @@ struct RayQueue {
 };
 
 /// Traces the rays of one block of facets. Rays above everything nearby reach the sky. For the
-/// others an occlusion query, the cheapest one, comes first; only if it finds something, the
-/// nearest facet is searched, and only if `nearest` is set. Light that continues behind a facet,
-/// thermal or solar, is followed.
+/// others an occlusion query, the cheapest one, comes first; only if it finds something, or if the
+/// ray goes down, the nearest facet is searched, and only if `nearest` is set. Light that continues
+/// behind a facet, thermal or solar, is followed.
 class BlockRays {
  public:
     /// - ground: facets before this one are ground
@@ -47,8 +48,9 @@ class BlockRays {
         : scene_(scene), facets_(facets), ground_(ground), nearest_(nearest), sunlight_(sunlight) {}
 
     /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
-    /// which there is only sky.
-    void trace(const RayPacket& rays, int lanes, std::uint32_t from, const SkyBound::Sines& sines);
+    /// which there is only sky, and a skyline if one is known.
+    void trace(const RayPacket& rays, int lanes, std::uint32_t from, const SkyBound::Sines& sines,
+               const OpenAbove* skyline = nullptr);
     /// Traces the remaining rays.
     void finish();
 
@@ -57,7 +59,7 @@ class BlockRays {
     std::array<double, facets_per_block> sky{}, below{}, hidden{};
     // (facet of the block) Σ over the hidden part of the sky above the horizontal, ray by ray
     std::array<SkyVector, facets_per_block> covered{};
-    std::vector<std::uint32_t> owner;  // (hit) facet of the block, rising
+    std::vector<std::uint32_t> owner;  // (hit) facet of the block; rising after finish()
     struct Seen {
         FacetId facet;  // its number (copies.hpp)
         float share;    // of a ray
@@ -77,6 +79,8 @@ class BlockRays {
     void follow(std::size_t k);
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);
+    /// Rays that go down are asked for before others of the same facets.
+    void sort_by_owner();
 
     /// Whether the packet's k-th ray meets a body from behind.
     bool from_behind(std::size_t k, std::uint32_t met) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "terrain/relief/height_field.hpp"
+#include "terrain/visibility/object_boxes.hpp"
 #include "terrain/visibility/raised_relief.hpp"
 #include "terrain/visibility/relief_points.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
@@ -20,8 +21,9 @@ namespace diurna {
 ///
 /// A ground facet evaluates the horizon at points spread evenly over it (relief_points.hpp). If all
 /// posts around them agree that the sun's whole disc is visible, or hidden, that is the result;
-/// else rays decide. A facet of more than two cells smooths the relief: at each of its points the
-/// grid's own normal and horizon are used, so that it receives the mean light of the fine relief.
+/// else rays decide, as they do where an object may be in the way (object_boxes.hpp). A facet of
+/// more than two cells smooths the relief: at each of its points the grid's own normal and horizon
+/// are used, so that it receives the mean light of the fine relief.
 class ReliefVisibility {
  public:
     /// Holds references to `facets`, `rays` and `relief`. The first `ground_facets` are on the
@@ -60,12 +62,16 @@ class ReliefVisibility {
     /// Sky seen from ground facets, times the number of azimuths; `below_objects`: above `raised`.
     struct MarchedSky {
         std::vector<float> seen, below_objects;
+        std::vector<std::uint8_t> rise;  // (ground facet, azimuth) highest horizon, objects
+                                         // included, in steps of 1/64 of the tangent, rounded up
     };
 
     Horizons horizons_near(const Eigen::Vector3d& direction) const;
     Span around(std::size_t facet, const std::vector<float>& tangent) const;
     bool objects_matter(std::size_t facet, const Horizons& horizons) const;
     MarchedSky marched_sky() const;
+    /// Above which ground facets see open sky, by facet of a selection.
+    std::vector<OpenAbove> skylines(std::span<const std::uint32_t> chosen) const;
     bool sees_objects(const MarchedSky& marched, std::size_t facet) const;
 
     const FacetSet& facets_;
@@ -73,6 +79,7 @@ class ReliefVisibility {
     const HeightField& relief_;
     ReliefPoints points_;
     std::optional<RaisedRelief> raised_;
+    ObjectBoxes objects_;
     std::vector<std::uint8_t> always_;  // (facet) always by rays
     std::vector<std::uint8_t> beside_;  // (ground facet) near objects; empty: no objects
 };

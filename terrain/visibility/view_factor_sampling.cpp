@@ -182,6 +182,7 @@ FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene&
 
     for_each_block(from.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
+        OpenAbove open;
         BlockRays found(scene, facets, options.first_object, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
         std::array<std::size_t, facets_per_block> level{};
@@ -190,10 +191,12 @@ FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene&
             BlockRays first(scene, facets, options.first_object, false, options.sunlight);
             for (std::size_t f = begin; f < last; ++f) {
                 if (!options.near_objects[f]) continue;
+                const bool known = options.open_above && options.open_above(f, open);
                 for (std::size_t p = 0; p < ground_rays[0].packets(); ++p) {
                     ground_rays[0].fill(from, f, p, rays);
                     first.trace(rays, ground_rays[0].lanes(p),
-                                static_cast<std::uint32_t>(f - begin), SkyBound::unknown);
+                                static_cast<std::uint32_t>(f - begin), SkyBound::unknown,
+                                known ? &open : nullptr);
                 }
             }
             first.finish();
@@ -212,9 +215,11 @@ FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene&
                 f < ground ? ground_rays[level[f - begin]] : object_rays;
             views.rays[f] = static_cast<std::uint16_t>(sampler.rays());
             if (!views.buried.empty() && views.buried[f]) continue;
+            const bool known = f < ground && options.open_above && options.open_above(f, open);
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
                 sampler.fill(from, f, p, rays);
-                found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);
+                found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines,
+                            known ? &open : nullptr);
             }
         }
         found.finish();

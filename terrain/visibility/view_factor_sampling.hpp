@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 
 #include "terrain/facets.hpp"
+#include "terrain/visibility/object_boxes.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -22,6 +25,9 @@ struct FacetViewOptions {
     /// hides 1 % of the sky, and 64 rays meet it once or not at all, which causes differences of
     /// 0.1 K between neighbours at night (0.007 K with 4096). Empty: nowhere.
     std::span<const std::uint8_t> near_objects{};
+    /// Above which a facet sees open sky, so that rays there need not be traced; false: not known.
+    /// Called from many threads. Empty: nowhere.
+    std::function<bool(std::size_t facet, OpenAbove&)> open_above{};
     std::uint64_t seed = 1;
     bool others = true;     // or leave their rows empty
     bool sunlight = false;  // transmittance of facets for the sun's spectrum; else thermal

@@ -23,7 +23,7 @@ constexpr float least_change = 0.002f, least_share = 1e-3f;
 /// (facet, instant).
 struct Field {
     std::size_t used;  // instants
-    std::vector<float> leaving, change;
+    std::vector<float>&leaving, &change;
     std::vector<float> most;          // (facet) largest |change|
     std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` may be large enough to send
     std::vector<float> itself;        // (facet) share of its own like that it sees
@@ -352,15 +352,20 @@ bool exchanging(const SolveInput& input) {
                        [](float below) { return below > 0.0f; });
 }
 
-ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
+ExchangeChange exchange_longwave(SolveState& solve, const Level& level, ExchangeRoom& room) {
     const std::size_t used = solve.steps() / level.stride + 1;
     std::vector<float> reflectance;
     for (const float emissivity : solve.optics.emissivity) {
         reflectance.push_back(1.0f - emissivity);
     }
+    for (std::vector<float>* values : {&room.leaving, &room.change}) {
+        if (values->size() == used * solve.facets) continue;  // renew_all() computes all of it
+        *values = {};
+        values->resize(used * solve.facets);
+    }
     Field field{.used = used,
-                .leaving = std::vector<float>(used * solve.facets),
-                .change = std::vector<float>(used * solve.facets),
+                .leaving = room.leaving,
+                .change = room.change,
                 .most = std::vector<float>(solve.facets),
                 .sends = std::vector<std::uint8_t>(solve.facets, 0),
                 .itself = std::vector<float>(solve.facets),

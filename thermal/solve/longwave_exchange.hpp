@@ -1,8 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
+
+/// Memory that the exchanges of a solve reuse: (facet, instant), 8 bytes a facet and instant.
+struct ExchangeRoom {
+    std::vector<float> leaving{}, change{};
+};
 
 /// Whether any facet sees another one, or ground beyond the scene's edge.
 bool exchanging(const SolveInput& input);
@@ -21,6 +28,6 @@ struct ExchangeChange {
 /// warmer facet emits more. Starts and temperatures are corrected too, so that the next pass
 /// has little to change. Blocks that have not run on this level yet only receive the
 /// longwave.
-ExchangeChange exchange_longwave(SolveState& solve, const Level& level);
+ExchangeChange exchange_longwave(SolveState& solve, const Level& level, ExchangeRoom& room);
 
 }  // namespace diurna

@@ -83,9 +83,10 @@ PointNeed point_need(const ThermalSurface& surface) {
 
 /// Whether a block's facet needs more, as warm as it is now.
 ///
+/// all_dew  or only where dew decides: ground that evaporates stays in its block
 /// warmest  that gathers dew in the block; found where it is still empty
 PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, std::size_t l,
-                                       std::vector<double>& warmest) const {
+                                       bool all_dew, std::vector<double>& warmest) const {
     constexpr double dew_matters = 0.3;  // [K]
     const Kind& kind = level.kind[block.material];
     const ThermalSurface& surface = kind.column.surface;
@@ -103,13 +104,48 @@ PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, s
     }
     if (need != PointNeed::if_wet) return {};
     if (rains_ && rain_on(solve_, f) > 0.0) return {.taken = true};
+    const bool dry = surface.evaporation.wetness == 0.0;
+    if (!dry && !all_dew) return {};
     if (warmest.empty()) warmest = warmest_dew(solve_, kind, block);
     const Dew dew = dew_on(solve_, kind, block, l, warmest);
-    const bool dry = surface.evaporation.wetness == 0.0;
     return {.taken = dry && dew.most_warming >= dew_matters,
             .unfollowed = true,
             .dew = dew.gathered,
             .warming = dry ? dew.most_warming : 0.0};
+}
+
+/// (block, lane) Nothing for points and targets.
+std::vector<std::vector<PointFacets::Need>> PointFacets::all_needs(const Level& level,
+                                                                   bool all_dew) const {
+    std::vector<std::vector<Need>> need(solve_.block.size());
+    for_each_index(
+        need.size(),
+        [&](std::size_t b) {
+            const Block& block = solve_.block[b];
+            std::vector<double> warmest;
+            for (std::size_t l = 0; l < block.facet.size(); ++l) {
+                const std::size_t f = block.facet[l];
+                const bool target = !solve_.in_network.empty() && solve_.in_network[f];
+                const bool known = taken_[f] || target;
+                need[b].push_back(known ? Need{} : need_of(level, block, l, all_dew, warmest));
+            }
+        },
+        4);
+    return need;
+}
+
+void PointFacets::measure_left_out(const Level& level) {
+    left_out_ = {};
+    const std::vector<std::vector<Need>> need = all_needs(level, true);
+    for (std::size_t b = 0; b < need.size(); ++b) {
+        for (std::size_t l = 0; l < need[b].size(); ++l) {
+            if (solve_.block[b].facet[l] >= solve_.counted) continue;
+            const Need& one = need[b][l];
+            left_out_.unfollowed += one.unfollowed ? 1 : 0;
+            left_out_.most_dew_unfollowed = std::max(left_out_.most_dew_unfollowed, one.dew);
+            left_out_.dew_left_out = std::max(left_out_.dew_left_out, one.warming);
+        }
+    }
 }
 
 void PointFacets::take_in(const Level& level) {
@@ -121,34 +157,14 @@ void PointFacets::take_in(const Level& level) {
             rains_ = rains_ || weather_.back().rain_mm_h > 0.0;
         }
     }
-    left_out_ = {};
-    std::vector<std::vector<Need>> need(solve_.block.size());
-    for_each_index(
-        need.size(),
-        [&](std::size_t b) {
-            const Block& block = solve_.block[b];
-            std::vector<double> warmest;
-            for (std::size_t l = 0; l < block.facet.size(); ++l) {
-                const std::size_t f = block.facet[l];
-                const bool target = !solve_.in_network.empty() && solve_.in_network[f];
-                const bool known = taken_[f] || target;
-                need[b].push_back(known ? Need{} : need_of(level, block, l, warmest));
-            }
-        },
-        4);
+    const std::vector<std::vector<Need>> need = all_needs(level, false);
     for (std::size_t b = 0; b < need.size(); ++b) {
         const Block& block = solve_.block[b];
         const ThermalSurface& surface = level.kind[block.material].column.surface;
         for (std::size_t l = 0; l < block.facet.size(); ++l) {
             const Need& one = need[b][l];
             const std::size_t f = block.facet[l];
-            if (!one.taken && f >= solve_.counted) continue;
-            if (!one.taken) {
-                left_out_.unfollowed += one.unfollowed ? 1 : 0;
-                left_out_.most_dew_unfollowed = std::max(left_out_.most_dew_unfollowed, one.dew);
-                left_out_.dew_left_out = std::max(left_out_.dew_left_out, one.warming);
-                continue;
-            }
+            if (!one.taken) continue;
             taken_[f] = true;
             fresh_ = fresh_ || f < solve_.counted;
             point_.push_back({.facet = f,

@@ -42,6 +42,9 @@ class PointFacets {
     /// have changed, and stores their temperatures in the solve.
     void pass(SolveState& solve, const Level& level);
 
+    /// Dew on the facets that stay in blocks, as warm as they have become, for the summary.
+    void measure_left_out(const Level& level);
+
     /// Stores their temperatures again, after updates by neighbours.
     void put(SolveState& solve) const;
 
@@ -80,8 +83,9 @@ class PointFacets {
         bool taken = false, unfollowed = false;
         double dew = 0.0, warming = 0.0;
     };
-    Need need_of(const Level& level, const Block& block, std::size_t lane,
+    Need need_of(const Level& level, const Block& block, std::size_t lane, bool all_dew,
                  std::vector<double>& warmest) const;
+    std::vector<std::vector<Need>> all_needs(const Level& level, bool all_dew) const;
     bool by_itself(const Level& level, const FacetPoint& point) const;
     double mean_kelvin(std::size_t facet) const;  // mean over the span, of the solve
     void run(const Level& level, FacetPoint& point) const;

@@ -61,19 +61,26 @@ std::size_t coarse_stride(const SolveState& solve) {
     return stride;
 }
 
-TemperatureField kept(const SolveState& solve, const CoveredFacets& water) {
+/// The temperatures to be kept, taken from the solve if that is all of them.
+TemperatureField kept(SolveState& solve, const CoveredFacets& water) {
     const auto every = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::llround(solve.options.keep_every / solve.step)));
     TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
     field.water.facet = water.facet;
+    const std::size_t rows = (solve.instant.size() + every - 1) / every;
+    if (every > 1) field.kelvin.reserve(rows * solve.facets);
+    field.water.cover.reserve(rows * water.facet.size());
     for (std::size_t i = 0; i < solve.instant.size(); i += every) {
         field.instant.push_back(solve.instant[i]);
-        const auto row = solve.kelvin.begin() + static_cast<std::ptrdiff_t>(i * solve.facets);
-        field.kelvin.insert(field.kelvin.end(), row,
-                            row + static_cast<std::ptrdiff_t>(solve.facets));
+        if (every > 1) {
+            const auto row = solve.kelvin.begin() + static_cast<std::ptrdiff_t>(i * solve.facets);
+            field.kelvin.insert(field.kelvin.end(), row,
+                                row + static_cast<std::ptrdiff_t>(solve.facets));
+        }
         const auto cover = water.at(i);
         field.water.cover.insert(field.water.cover.end(), cover.begin(), cover.end());
     }
+    if (every == 1) field.kelvin = std::move(solve.kelvin);
     field.water = field.water.kept();
     return field;
 }
@@ -117,21 +124,22 @@ void set_irradiance(SolveState& solve) {
 }
 
 /// Recomputes the neighbours' longwave, if there are neighbours.
-ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport& report) {
+ExchangeChange renew_longwave(SolveState& solve, const Level& level, ExchangeRoom& room,
+                              SolveReport& report) {
     check_numbers(solve);  // before neighbours take on what is none
     if (solve.excess.empty()) return {};
     const Stopwatch watch(report.exchange_seconds);
-    return exchange_longwave(solve, level);
+    return exchange_longwave(solve, level, room);
 }
 
 /// A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
 void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::size_t stride,
-                   Level& fine, NetworkFacets& targets, SolveReport& report) {
+                   Level& fine, NetworkFacets& targets, ExchangeRoom& room, SolveReport& report) {
     const bool neighbours = !solve.excess.empty();
     const int passes = neighbours ? 4 : 2, most_passes = 10;
     constexpr double alike = 1.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
     Level coarse = make_level(solve, kinds, stride, 1, &fine);
-    renew_longwave(solve, coarse, report);
+    renew_longwave(solve, coarse, room, report);
     for (int i = 0; i < passes || (i < most_passes && targets.moved() > alike); ++i) {
         {
             const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
@@ -141,7 +149,7 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
             correct(solve, coarse);
             targets.pass(solve, coarse);
         }
-        renew_longwave(solve, coarse, report);
+        renew_longwave(solve, coarse, room, report);
     }
     fill_between(solve, solve.kelvin, stride);
     if (neighbours) fill_between(solve, solve.excess, stride);
@@ -202,7 +210,7 @@ class Nearing {
 
 /// Passes over the span at its own steps until they change nothing that counts.
 void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
-                        NetworkFacets& targets, SolveReport& report) {
+                        NetworkFacets& targets, ExchangeRoom& room, SolveReport& report) {
     constexpr double usual_passes = 3.0;
     const SolveOptions& options = solve.options;
     Nearing nearing;
@@ -227,7 +235,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
             report.light_change = relight(solve, points.cover());
         }
         // What the neighbours send by now reports how far the pass was from its surroundings.
-        judge(solve, points, targets, renew_longwave(solve, level, report), report);
+        judge(solve, points, targets, renew_longwave(solve, level, room, report), report);
         nearing.add(report, options);
         if (!report.converged) extrapolation.after_pass(solve);
         if (options.tell && !report.converged) {
@@ -387,21 +395,25 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     if (options.exchange && exchanging(input)) {
         state.excess.assign(state.instant.size() * state.facets, 0.0f);
     }
+    ExchangeRoom room;
     NetworkFacets targets(state);
     if (input.from) targets.set_out_from(input.from->network);
     if (const std::size_t stride = coarse_stride(state); options.periodic && stride > 1) {
-        pass_in_hours(state, kinds, stride, fine, targets, report);
+        pass_in_hours(state, kinds, stride, fine, targets, room, report);
     } else {
-        renew_longwave(state, fine, report);
+        renew_longwave(state, fine, room, report);
     }
     PointFacets points(state);
     if (input.from) points.set_out_from(input.from->point);
-    pass_until_settled(state, fine, points, targets, report);
+    pass_until_settled(state, fine, points, targets, room, report);
+    room = {};
     HeatFluxField heat = record_heat(state, fine, points, targets);
+    points.measure_left_out(fine);
     tell_steps(state, points, targets, report);
+    HeatState end = left_by(state, fine, points, targets);
     SolveResult result{.temperature = kept(state, points.cover()),
                        .report = report,
-                       .end = left_by(state, fine, points, targets),
+                       .end = std::move(end),
                        .heat = std::move(heat)};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);

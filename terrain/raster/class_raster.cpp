@@ -50,6 +50,23 @@ std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& 
     return value;
 }
 
+/// Refuses a picture: its shades of red are not classes.
+void refuse_colours(GDALDataset& data, const std::string& where) {
+    const int bands = data.GetRasterCount();
+    if (bands < 3) return;
+    for (int i = 1; i <= 3; ++i) {
+        const GDALColorInterp colour = data.GetRasterBand(i)->GetColorInterpretation();
+        const bool rgb = colour >= GCI_RedBand && colour <= GCI_BlueBand;
+        const bool other = colour >= GCI_HueBand && colour <= GCI_YCbCr_CrBand;
+        if (!rgb && !other) return;
+    }
+    throw InputError(
+        where,
+        fmt::format("is a picture with {} bands of colour, expected one band of class numbers",
+                    bands),
+        "use the raster of class numbers from which the picture was drawn");
+}
+
 }  // namespace
 
 ClassRaster read_class_raster(const std::filesystem::path& file,
@@ -62,6 +79,7 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
     raster.columns = data->GetRasterXSize();
     raster.rows = data->GetRasterYSize();
     if (data->GetRasterCount() == 0) throw InputError(raster.source, "has no raster band");
+    refuse_colours(*data, raster.source);
     const double cells = double(raster.columns) * raster.rows;
     GDALRasterBand& band = *data->GetRasterBand(1);
     const double bytes = cells * GDALGetDataTypeSizeBytes(band.GetRasterDataType());

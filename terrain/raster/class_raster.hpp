@@ -26,7 +26,7 @@ struct ClassRaster {
 inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min();
 
 /// Reads a class raster (GeoTIFF, ENVI, netCDF, ESRI ASCII). Throws InputError if it is missing,
-/// damaged, without georeference or CRS, or has fractional values.
+/// damaged, without georeference or CRS, a picture (red, green, blue), or has fractional values.
 ///
 /// - confines: of its sidecars; default: its folder
 ClassRaster read_class_raster(const std::filesystem::path& file,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "materials/base/csv.hpp"
@@ -56,6 +57,25 @@ std::string map_unit(const OGRSpatialReference* reference) {
 bool is_code(double value) {
     const std::string digits = fmt::format("{:g}", value);
     return digits.find_first_not_of('9') == std::string::npos || value == 65535.0;
+}
+
+/// The remedy for a height above all places on Earth.
+std::string too_high_hint(GDALDataset& raster, GDALRasterBand& band, const std::string& file,
+                          float stored) {
+    const std::string no_data =
+        fmt::format("if {0:g} means no data: gdal_translate -a_nodata {0:g} IN OUT.tif", stored);
+    // An EHdr header without PIXELTYPE means numbers without a sign: -12 is read as 65524.
+    constexpr float sign_bit = 32768.0f, range = 65536.0f;
+    const bool unsigned_ehdr = std::string_view(raster.GetDriverName()) == "EHdr" &&
+                               band.GetRasterDataType() == GDT_UInt16;
+    if (unsigned_ehdr && stored >= sign_bit) {
+        const auto header = std::filesystem::path(file).filename().replace_extension(".hdr");
+        return fmt::format(
+            "if its heights have a sign ({:.0f} is {:.0f} then), write PIXELTYPE SIGNEDINT into "
+            "{}{}",
+            stored, stored - range, header.string(), is_code(stored) ? "; " + no_data : "");
+    }
+    return is_code(stored) ? no_data : unit_hint;
 }
 
 /// "Zunits FEET" of an old ESRI .prj beside the raster, which GDAL passes over; "" without one.
@@ -178,11 +198,7 @@ void read_heights(GDALDataset& raster, const PostWindow& window, const DemOption
                     fmt::format("found a height of {:.0f} m with the unit {}, higher than any "
                                 "place on Earth",
                                 height, unit.name),
-                    is_code(stored)
-                        ? fmt::format(
-                              "if {0:g} means no data: gdal_translate -a_nodata {0:g} IN OUT.tif",
-                              stored)
-                        : unit_hint);
+                    too_high_hint(raster, band, dem.source, stored));
             }
         }
     }

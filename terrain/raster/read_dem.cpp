@@ -8,12 +8,14 @@
 #include "terrain/raster/dem_voids.hpp"
 #include "terrain/raster/dem_window.hpp"
 #include "terrain/raster/geoid.hpp"
+#include "terrain/raster/zero_posts.hpp"
 
 namespace diurna {
 
 namespace {
 
 Dem finished(Dem dem, const DemOptions& options) {
+    warn_of_zero_posts(dem);
     apply_void_policy(dem, options.voids);
     if (options.geoid) add_geoid(dem);
     return dem;

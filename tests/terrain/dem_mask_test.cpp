@@ -121,3 +121,45 @@ TEST_CASE("posts that an internal mask excludes have no elevation", "[terrain][d
     CHECK(classes.value[7] == no_class);
     CHECK(classes.value[8] == 108);
 }
+
+TEST_CASE("a picture in colours is refused as classes", "[terrain][land_cover]") {
+    // 2 x 2 pixels of red, green and blue (TIFF 6.0, photometric interpretation 2).
+    Bytes out;
+    out.text = "II*";
+    out.text += '\0';
+    out.u32(0);  // set below
+    const unsigned pixels = out.size();
+    for (int i = 0; i < 2 * 2 * 3; i += 2) out.u16(0x320A);
+    const unsigned bits = out.size();
+    for (int band = 0; band < 3; ++band) out.u16(8);
+    const unsigned scale = out.size();
+    for (const double v : {10.0, 10.0, 0.0}) out.real(v);
+    const unsigned tie = out.size();
+    for (const double v : {0.0, 0.0, 0.0, 750000.0, 4020000.0, 0.0}) out.real(v);
+    const unsigned keys = out.size();
+    for (const unsigned v : {1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32616}) {
+        out.u16(v);
+    }
+    const unsigned first = out.size();
+    directory(out,
+              {{256, 3, 1, 2},
+               {257, 3, 1, 2},
+               {258, 3, 3, bits},
+               {259, 3, 1, 1},
+               {262, 3, 1, 2},
+               {273, 4, 1, pixels},
+               {277, 3, 1, 3},
+               {278, 3, 1, 2},
+               {279, 4, 1, 2 * 2 * 3},
+               {33550, 12, 3, scale},
+               {33922, 12, 6, tie},
+               {34735, 3, 16, keys}},
+              false);
+    for (int i = 0; i < 4; ++i) out.text[std::size_t(4 + i)] = char(first >> (8 * i) & 0xFF);
+    const ScratchFolder folder("picture_classes");
+    const auto file = folder.path / "map.tif";
+    std::ofstream(file, std::ios::binary) << out.text;
+    CHECK_THROWS_WITH(read_class_raster(file), Catch::Contains("map.tif") &&
+                                                   Catch::Contains("3 bands of colour") &&
+                                                   Catch::Contains("one band of class numbers"));
+}

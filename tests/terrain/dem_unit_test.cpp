@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -61,4 +62,27 @@ TEST_CASE("a unit that is no length is refused", "[terrain][dem][units]") {
     CHECK_THROWS_WITH(read_dem(file),
                       Catch::Contains("'furlong'") && Catch::Contains("height_unit"));
     CHECK(read_dem(file, {.unit = 1.0}).at(0, 0) == 1000.0f);
+}
+
+TEST_CASE("EHdr heights read without their sign name the header's key", "[terrain][dem][units]") {
+    // Esri's "BIL, BIP, and BSQ raster files": PIXELTYPE is SIGNEDINT or else unsigned; -12 as two
+    // bytes, low first, is F4 FF.
+    const ScratchFolder folder("dem_ehdr");
+    const auto file = folder.path / "shore.bil";
+    const std::string header =
+        "NROWS 2\nNCOLS 2\nNBANDS 1\nNBITS 16\nBYTEORDER I\nLAYOUT BIL\nULXMAP 500000\n"
+        "ULYMAP 5000000\nXDIM 30\nYDIM 30\n";
+    std::ofstream(folder.path / "shore.hdr") << header;
+    std::ofstream(folder.path / "shore.prj")
+        << "PROJCS[\"UTM 32\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+           "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+           "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],"
+           "PARAMETER[\"central_meridian\",9],PARAMETER[\"scale_factor\",0.9996],"
+           "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],"
+           "UNIT[\"metre\",1]]";
+    std::ofstream(file, std::ios::binary) << std::string("\x05\x00\xF4\xFF\x07\x00\x08\x00", 8);
+    CHECK_THROWS_WITH(read_dem(file), Catch::Contains("65524") && Catch::Contains("-12") &&
+                                          Catch::Contains("PIXELTYPE SIGNEDINT into shore.hdr"));
+    std::ofstream(folder.path / "shore.hdr") << header << "PIXELTYPE SIGNEDINT\n";
+    CHECK(read_dem(file).at(0, 1) == -12.0f);
 }

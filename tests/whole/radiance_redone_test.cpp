@@ -30,7 +30,7 @@ TEST_CASE("a textured runway and a hangar are redone from planes and library",
         for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
             if (std::string(band) == "0.62-0.66" && std::string(time) == "040000") continue;
             const Found found = checked(job, "east", band, time);
-            CHECK(found.two_levels > 20);
+            CHECK(found.two_levels > 10);
         }
     }
 }

@@ -24,7 +24,7 @@ struct JobReport {
     std::size_t posts = 0;
     SolveReport solve{};  // of this run's heat balance
     bool solved = false;  // false: temperatures are from an earlier run
-    std::vector<std::pair<std::string, std::string>> heat{};  // HeatReport::rows, stored or of this run
+    std::vector<std::pair<std::string, std::string>> heat{};  // HeatReport::rows of the solution
     std::string start{};               // how the heat balance's start was computed, and its effect
     std::string not_converged{};       // in one line, of this or the earlier run; "" if converged
     std::size_t frames_rendered = 0;   // the others are from an earlier run

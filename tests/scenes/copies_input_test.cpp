@@ -46,9 +46,10 @@ TEST_CASE("the ground of many copies is made fine once", "[scenes][copies]") {
     const auto [built_out, same] = ground(apart(stands));
     const auto [none, plain] = ground("");
     CAPTURE(copied, built_out, none);
-    // Patches that lie over one another are cut along all their sides and filled by all lattices;
-    // tiles have two triangles to each square of three quarters of the edge, and some at borders.
-    CHECK(copied < built_out);
+    // Ground is filled once where patches lie over one another, those of copies and those of single
+    // objects; tiles have two triangles to each square of three quarters of the edge, and some at
+    // borders.
+    CHECK(double(copied) == Approx(double(built_out)).epsilon(0.05));
     const Scene scene = read_scene(written(folder.path, copies(alike_within)));
     double squares = 0.0;
     for (const GroundPatch& patch : patches_round(scene.terrain.objects)) {

@@ -199,7 +199,7 @@ class SmallScene(unittest.TestCase):
             diurna.Scene(self.scene.file, weather=frame.tz_localize(None))
         self.assertEqual(caught.exception.key, "weather.time")
         frame["air_temperature_K"] -= 273.15
-        with self.assertRaisesRegex(diurna.Error, r"scene.weather-\w+.csv:2:.*lies between 100 and 400"):
+        with self.assertRaisesRegex(diurna.Error, r"scene.weather-\w+.csv:2:.*is between 100 and 400"):
             diurna.Scene(self.scene.file, weather=frame).check()
 
     def test_a_layer_of_a_library_material(self):

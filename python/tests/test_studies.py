@@ -158,7 +158,7 @@ class OfPlates(unittest.TestCase):
         with self.assertRaises(diurna.Error):
             self.scene.contrast(temperatures=self.folder / "none.nc")
         (self.folder / "file").write_text("")
-        with self.assertRaisesRegex(diurna.Error, "no folder"):
+        with self.assertRaisesRegex(diurna.Error, "is not a folder"):
             self.scene.contrast(out=self.folder / "file")
 
 

@@ -20,6 +20,7 @@ struct FirstScene {
     Instant start;
     double duration_h = 24.0;
     double utc_offset = 0.0;  // [s] of its clock ahead of UTC
+    std::string date_note{};  // why it has another date than the usual one; "": it has not
 };
 
 /// A scene file with a comment at each part: ground, a lorry and a generator, a camera each

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -75,13 +76,48 @@ std::string take_along(const fs::path& file, const std::vector<FileRead>& opened
     return file.filename().string();
 }
 
-/// The first midnight from which a day is covered, or what there is.
-void choose_span(const fs::path& file, FirstScene& scene) {
-    const WeatherFormat format = weather_format(file);
-    if (format == WeatherFormat::epw || format == WeatherFormat::tmy3 ||
-        format == WeatherFormat::pvgis) {
-        return;  // of any year
+bool has_calendar_year(WeatherFormat format) {
+    return format == WeatherFormat::epw || format == WeatherFormat::tmy3 ||
+           format == WeatherFormat::pvgis;
+}
+
+/// Whether a file has weather for the scene's span; a typical year has, whatever its years.
+bool covers_span(const fs::path& file, const FirstScene& scene) {
+    try {
+        read_weather(file, {.asked = {.begin = scene.start,
+                                      .end = later(scene.start, 3600.0 * scene.duration_h)}});
+        return true;
+    } catch (const InputError&) {
+        return false;
     }
+}
+
+/// Of the midnights from `first` to `last`, the nearest to the scene's date in any year.
+Instant nearest_midnight(const FirstScene& scene, Instant first, Instant last) {
+    using namespace std::chrono;
+    const auto date_of = [&](Instant instant) {
+        return year_month_day(floor<days>(later(instant, scene.utc_offset)));
+    };
+    const year_month_day usual = date_of(scene.start);
+    Instant nearest = first;
+    double least = 1e18;
+    for (year y = date_of(first).year() - years(1); y <= date_of(last).year() + years(1); ++y) {
+        const Instant wanted = later(sys_days(y / usual.month() / usual.day()), -scene.utc_offset);
+        const Instant there = std::clamp(wanted, first, last);
+        const double away = std::abs(seconds_between(wanted, there));
+        if (away < least) {
+            least = away;
+            nearest = there;
+        }
+    }
+    return nearest;
+}
+
+/// A day that the file covers: of files of a year the one nearest to the scene's date, else the
+/// first; or what there is.
+void choose_span(const fs::path& file, FirstScene& scene) {
+    const bool of_year = has_calendar_year(weather_format(file));
+    if (of_year && covers_span(file, scene)) return;
     const Weather weather = read_weather(file);
     const Instant first = weather.instant.front(), last = weather.instant.back();
     const auto day = std::chrono::days(1);
@@ -89,6 +125,16 @@ void choose_span(const fs::path& file, FirstScene& scene) {
     Instant midnight = std::chrono::ceil<std::chrono::days>(first + ahead) - ahead;
     const Instant slack = later(last, 3600.0);  // the last row is held so long
     if (midnight + day <= slack) {
+        if (of_year) {
+            const Instant latest =
+                std::chrono::floor<std::chrono::days>(slack - day + ahead) - ahead;
+            midnight = nearest_midnight(scene, midnight, latest);
+            scene.date_note = fmt::format(
+                "{}: has weather from {} to {}; the scene's day is {:.10}, the nearest to {:.10}",
+                file.string(), format_instant(first), format_instant(last),
+                format_local(midnight, scene.utc_offset),
+                format_local(scene.start, scene.utc_offset));
+        }
         scene.start = midnight;
         return;
     }
@@ -163,6 +209,7 @@ void new_verb(const NewArguments& a) {
                    format_local(scene.start, scene.utc_offset), scene.duration_h,
                    scene.weather_made_up ? "; the weather is generated, not measured" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
+        if (!scene.date_note.empty()) fmt::print(stderr, "note: {}\n", plain(scene.date_note));
         for (const Mistake& one : prepared.warnings)
             fmt::print(stderr, "warning: {}\n", plain(one.line()));
         for (const std::string& note : prepared.notes)

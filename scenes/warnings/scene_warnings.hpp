@@ -35,6 +35,11 @@ std::vector<Mistake> view_warnings(const Prepared& prepared);
 /// exchanged.
 std::vector<Mistake> shape_warnings(const Prepared& prepared);
 
+/// Land cover that does not cover the ground, with its share; classes on the ground without a
+/// material, with their shares, and classes of the table that are not there; class numbers that
+/// were interpolated.
+std::vector<Mistake> land_cover_warnings(const Prepared& prepared);
+
 /// Materials with schedules, if their clock (that of time.start) is not local mean solar time,
 /// which earlier versions used.
 std::vector<Mistake> clock_warnings(const Prepared& prepared);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
@@ -33,9 +34,24 @@ MaterialId material_by_rules(const Scene& scene, double slope_deg, double height
     return scene.materials.find(scene.terrain.default_material);
 }
 
+/// Notes classes of a table that are nowhere on the ground.
+void note_unused_classes(const LandCoverInput& cover, const std::vector<std::int32_t>& classes,
+                         std::vector<std::string>& notes) {
+    const std::set<std::int32_t> found(classes.begin(), classes.end());
+    std::string unused;
+    for (const auto& [number, material] : cover.material) {
+        if (!found.contains(number))
+            unused += (unused.empty() ? "" : ", ") + std::to_string(number);
+    }
+    if (unused.empty()) return;
+    notes.push_back(fmt::format("{}: classes of its table that are not on the ground: {}",
+                                cover.file.string(), unused));
+}
+
 /// The material at each triangle's middle of the first land cover that knows one there.
 std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& dem,
-                                               const GroundMesh& mesh) {
+                                               const GroundMesh& mesh,
+                                               std::vector<std::string>& notes) {
     std::vector<std::optional<MaterialId>> found(mesh.triangle.size());
     if (scene.terrain.land_cover.empty()) return found;
     std::vector<Eigen::Vector2d> middle;
@@ -47,6 +63,7 @@ std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& de
     const std::vector<Geodetic> place = geodetic_places(dem, middle, height);
     for (const LandCoverInput& cover : scene.terrain.land_cover) {
         const auto classes = classes_at(read_class_raster(cover.file, scene.confines), place);
+        note_unused_classes(cover, classes, notes);
         for (std::size_t t = 0; t < found.size(); ++t) {
             const auto entry = cover.material.find(classes[t]);
             if (!found[t] && entry != cover.material.end()) {
@@ -178,7 +195,7 @@ std::vector<PlanBorders> append_ground(World& world, const Scene& scene, const D
     const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);
-    const auto cover = covered(scene, dem, mesh);
+    const auto cover = covered(scene, dem, mesh, world.notes);
 
     const auto material_of = [&](std::size_t t, std::int32_t cut) {
         if (cut >= 0 && !cuts.material[std::size_t(cut)].empty()) {

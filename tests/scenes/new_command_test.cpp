@@ -62,6 +62,41 @@ TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][ne
     CHECK(scene.site->latitude_deg == Approx(36.30));
 }
 
+TEST_CASE("a first scene takes the day of a year's file nearest to its date", "[scenes][new]") {
+    // EPW of June 2018 alone, one year: not typical, so it has no weather of 2026. The usual date
+    // is 15 July north of the equator; the 30th of June is the nearest whole day of UTC - 6 h that
+    // ends within the file, which is in UTC - 5 h.
+    const ScratchFolder folder("new_epw");
+    const fs::path reported = folder.path / "told.txt";
+    std::string epw =
+        "LOCATION,Place,-,-,-,0,36.3,-84.2,-5.0,400.0\nDESIGN CONDITIONS,0\n"
+        "TYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\nHOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0\n"
+        "COMMENTS 1,\nCOMMENTS 2,\nDATA PERIODS,1,1,Data,Friday, 6/ 1,DAY\n";
+    const auto begin = [&](const std::string& name, int july_days) {
+        std::string text = epw;
+        text.replace(text.find("DAY"), 3, july_days == 0 ? "6/30" : "7/31");
+        for (int day = 1; day <= 30 + july_days; ++day) {
+            for (int hour = 1; hour <= 24; ++hour) {
+                text += fmt::format(
+                    "2018,{},{},{},0,x,{},5,50,98000,0,0,300,0,0,0,9,9,9,9,180,2.0\n",
+                    day <= 30 ? 6 : 7, day <= 30 ? day : day - 30, hour, 10 + hour % 12);
+            }
+        }
+        write_text(folder.path / (name + ".epw"), text);
+        return "new '" + (folder.path / name).string() + "' --dem '" + elevation + "' --weather '" +
+               (folder.path / (name + ".epw")).string() + "'";
+    };
+    REQUIRE(verb(begin("june", 0), reported) == 0);
+    CHECK(read_text(reported).find("note: ") != std::string::npos);
+    CHECK(read_text(reported).find("nearest to 2026-07-15") != std::string::npos);
+    const Instant june = read_scene(folder.path / "june/scene.toml").time.start;
+    CHECK(june >= parse_instant("2018-06-29T00:00:00-06:00"));
+    CHECK(june <= parse_instant("2018-06-30T00:00:00-06:00"));
+    REQUIRE(verb(begin("july", 31), reported) == 0);
+    CHECK(read_scene(folder.path / "july/scene.toml").time.start ==
+          parse_instant("2018-07-15T00:00:00-06:00"));
+}
+
 TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
     const ScratchFolder folder("new_refused");
     const fs::path scene = folder.path / "place", reported = folder.path / "told.txt";

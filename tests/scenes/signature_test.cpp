@@ -166,8 +166,12 @@ TEST_CASE("a black ball has the intensity L pi r^2 in every direction",
     for (const SignatureRow& row : studied.report.rows) {
         CAPTURE(row.aspect_deg, row.elevation_deg);
         CHECK(row.area == Approx(pi * r * r).epsilon(0.01));
-        CHECK(row.intensity == Approx(black_radiance(warm) * pi * r * r).epsilon(0.01));
-        if (row.elevation_deg < 20.0) continue;  // beyond the ground's edge there is space
+        // Where ground ends behind the ball there is space: pixels of its rim are parted with the
+        // mean of both backgrounds there, which leaves 1 % in two directions; 0.1 % elsewhere.
+        const bool before_space = row.elevation_deg < 20.0;
+        CHECK(row.intensity ==
+              Approx(black_radiance(warm) * pi * r * r).epsilon(before_space ? 0.02 : 0.005));
+        if (before_space) continue;
         CHECK(row.contrast ==
               Approx((black_radiance(warm) - black_radiance(cold)) * pi * r * r).epsilon(0.01));
     }

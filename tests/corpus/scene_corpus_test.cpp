@@ -101,7 +101,7 @@ Family spectra() {
         own("nm named so", "wavelength_nm,reflectance\n300,0.2\n1000,0.4\n"),
         own("wavenumbers", head + "500,0.2\n1000,0.3\n4000,0.3\n"),
         own("per cent", head + "0.3,20\n1,40\n20,5\n"),
-        own("descending", head + "20,0.2\n1,0.4\n0.3,0.1\n"),
+        own("in disorder", head + "20,0.2\n0.3,0.1\n1,0.4\n"),
         own("a wavelength twice", head + "0.3,0.2\n1,0.4\n1,0.3\n20,0.1\n"),
         own("negative", head + "0.3,-0.2\n1,0.4\n20,0.1\n"),
         own("a negative wavelength", head + "-0.3,0.2\n1,0.4\n20,0.1\n"),
@@ -116,7 +116,7 @@ Family spectra() {
         band("nm for µm", "wavelength_um,response\n8000,0\n9000,1\n12000,0\n"),
         band("per cent", "wavelength_um,response\n8,0\n9,100\n12,0\n"),
         band("all of it 0", "wavelength_um,response\n8,0\n9,0\n12,0\n"),
-        band("descending", "wavelength_um,response\n12,0\n9,1\n8,0\n"),
+        band("in disorder", "wavelength_um,response\n12,0\n8,1\n9,0\n"),
         band("negative", "wavelength_um,response\n8,0\n9,-1\n12,0\n"),
     };
 }

@@ -235,7 +235,8 @@ TEST_CASE("a day divided during a move continues as the undivided one", "[scenes
         Progress silent(ProgressStyle::silent);
         SpanResult result = solve_scene(Stages(prepared), silent);
         std::filesystem::create_directories(folder.path / name);
-        write_heat(prepared, run_inputs(prepared.scene), result, folder.path / name / "temperatures.nc");
+        write_heat(prepared, run_inputs(prepared.scene), result,
+                   folder.path / name / "temperatures.nc");
         return result;
     };
     const auto span = [](const char* start, const char* end, const std::string& more) {

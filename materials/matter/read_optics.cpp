@@ -67,10 +67,10 @@ Spectrum absorptance(const Spectrum& reflectance, const Spectrum& transmittance)
 /// Makes the values of a column those of `key`, by its name: 1 − emissivity for reflectance. Throws
 /// InputError for another quantity.
 ///
-/// - column: "file.csv: emissivity", in small letters
-void take_quantity(const std::string& column, std::string_view key, bool opaque, Spectrum& s) {
-    const std::string name = column.substr(column.rfind(' ') + 1);
-    const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+/// - column: its name in small letters
+void take_quantity(const std::filesystem::path& file, const std::string& column,
+                   std::string_view key, bool opaque, Spectrum& s) {
+    const auto has = [&](const char* part) { return column.find(part) != std::string::npos; };
     const bool left = has("emiss") || has("absorpt");  // 1 − ρ − τ
     const bool reflectance = key == "reflectance";
     if (reflectance && left && opaque) {
@@ -78,7 +78,8 @@ void take_quantity(const std::string& column, std::string_view key, bool opaque,
         return;
     }
     if (!left && !has(reflectance ? "transm" : "reflec")) return;
-    throw InputError(column, fmt::format("found a column of another quantity, expected {}", key),
+    throw InputError(file.string() + ": " + column,
+                     fmt::format("found a column of another quantity, expected {}", key),
                      left ? "emissivity is 1 - reflectance - transmittance"
                           : fmt::format("name the column {} if it is", key));
 }
@@ -95,7 +96,7 @@ Spectrum read_file(const Section& section, const char* key, const char* says) {
             if (percent) {
                 for (double& value : s.value) value *= 0.01;
             }
-            take_quantity(file.string() + ": " + column, key, !section.has("transmittance"), s);
+            take_quantity(file, column, key, !section.has("transmittance"), s);
             check_micrometres(s, file);
             return s;
         }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "scenes/commands/number_option.hpp"
+#include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/run/audit.hpp"
 
@@ -25,7 +26,13 @@ void audit_verb(AuditArguments& a) {
     const AuditedRun run = audited_run(a.folder);
     a.scene.scene = run.scene;
     a.scene.settings = run.settings;
-    const Audit found = audit(a.scene.read(), a.checks, a.scene.style());
+    const Audit found = audit(run, a.scene.read(), a.checks, a.scene.style());
+    if (!found.same_inputs) {
+        print_notes(
+            {fmt::format("{}: inputs or the program changed since the run; this is the "
+                         "error of the scene as it is now",
+                         a.folder.string())});
+    }
     for (const std::string& line : audit_lines(found)) fmt::print("{}\n", line);
     if (!found.not_converged.empty()) throw std::runtime_error(found.not_converged);
 }

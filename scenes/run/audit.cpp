@@ -6,6 +6,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/number_of.hpp"
+#include "scenes/cache/inputs.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/listed_outputs.hpp"
 
@@ -20,16 +21,20 @@ AuditedRun audited_run(const fs::path& folder) {
         throw InputError(folder.string(), "is not the folder of a complete run",
                          "diurna run SCENE --out FOLDER writes one");
     }
+    if (!listed.digest.contains("temperatures.nc")) {
+        throw InputError(folder.string(), "was rendered from temperatures of another file",
+                         "audit the run that computed them");
+    }
     for (const std::string& setting : listed.settings) {
         if (setting.find('=') != std::string::npos) continue;
         throw InputError(folder.string(),
                          fmt::format("is of {} of a sweep, which cannot be audited", setting),
                          "audit a run of the scene with the variant's settings (--set)");
     }
-    return {.scene = listed.scene, .settings = listed.settings};
+    return {.scene = listed.scene, .settings = listed.settings, .key = listed.key};
 }
 
-Audit audit(Scene scene, int checks, const ProgressTo& to) {
+Audit audit(const AuditedRun& run, Scene scene, int checks, const ProgressTo& to) {
     Progress progress(to);
     progress.stage(StageId::terrain);
     const Prepared prepared = prepare(std::move(scene));
@@ -39,6 +44,7 @@ Audit audit(Scene scene, int checks, const ProgressTo& to) {
                          "or read");
     }
     check_start(prepared);
+    const std::string key = job_key(run_inputs(prepared.scene), run.settings);
     progress.stage(StageId::sky_view);
     const Stages stages(prepared);
     stages.at(0);
@@ -50,7 +56,8 @@ Audit audit(Scene scene, int checks, const ProgressTo& to) {
             .places = solved.places,
             .unchecked = solved.unchecked,
             .pictures = prepared.plan.pictures,
-            .not_converged = not_converged(solved.report)};
+            .not_converged = not_converged(solved.report),
+            .same_inputs = key == run.key};
 }
 
 std::vector<std::string> audit_lines(const Audit& audit) {

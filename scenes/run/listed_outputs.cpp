@@ -58,6 +58,7 @@ ListedOutputs listed_outputs(const fs::path& folder) {
     if (!json.contains("variants")) {  // of a run
         listed.done = listed_text(json, "state") == "done";
         listed.scene = listed_text(json, "scene_file");
+        listed.key = listed_text(json, "key");
         for (const Json& setting : json.value("settings", Json::array())) {
             if (setting.is_string()) listed.settings.push_back(setting.get<std::string>());
         }

@@ -14,6 +14,7 @@ struct ListedOutputs {
     bool done = false;                            // the run is complete
     std::filesystem::path scene{};                // of a run: its scene file
     std::vector<std::string> settings{};          // of its command line
+    std::string key{};                            // of a run: job_key()
     std::map<std::string, std::string> digest{};  // SHA-256 by name, relative to the folder
 };
 ListedOutputs listed_outputs(const std::filesystem::path& folder);

@@ -183,8 +183,8 @@ Marked marked_facets(const World& world, std::span<const NetworkObject> network,
     return marked;
 }
 
-/// Who feels whose heat in these pictures, and what each facet is worth there: [K] that the
-/// pictures change if another of its kind takes its place.
+/// Thermal coupling of facets in these pictures, and the effect of each there: [K] by which the
+/// pictures change if another facet of its kind takes its place.
 struct Worth {
     Coupled coupled;
     std::vector<float> of;  // (facet)

@@ -79,7 +79,7 @@ class BlockRays {
     void follow(std::size_t k);
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);
-    /// Rays that go down are asked for before others of the same facets.
+    /// Rays that go down were traced before others of the same facets.
     void sort_by_owner();
 
     /// Whether the packet's k-th ray meets a body from behind.

@@ -81,7 +81,7 @@ void raise_by_relief(const Rise& rise, OpenAbove& open) {
     }
 }
 
-/// The objects that may hide the sun from facets asked for in ascending order.
+/// The objects that may hide the sun from facets, which are given in ascending order.
 class ObjectsInTheWay {
  public:
     ObjectsInTheWay(const FacetSet& facets, const ObjectBoxes& objects, std::size_t ground,

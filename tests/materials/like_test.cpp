@@ -163,7 +163,7 @@ TEST_CASE("a band past the ends of the library's own n and k is reported",
 TEST_CASE("a spectrum is of the quantity that its column names",
           "[materials][like][own_keys][spectrum]") {
     const ScratchFolder folder("quantity");
-    write_text(folder.path / "eps.csv", "wavelength_um,emissivity\n0.3,0.4\n50,0.4\n");
+    write_text(folder.path / "eps.csv", "wavelength_um,Emissivity (1)\n0.3,0.4\n50,0.4\n");
     write_text(folder.path / "rho.csv", "wavelength_um,reflectance\n0.3,0.6\n50,0.6\n");
     write_text(folder.path / "cent.csv", "wavelength_um,reflectance_percent\n50,60\n0.3,60\n");
     write_text(folder.path / "tau.csv", "wavelength_um,transmittance\n0.3,0.6\n50,0.6\n");

@@ -38,7 +38,8 @@ TEST_CASE("an audit measures the error that its run reports", "[scenes][check_po
     CHECK(audited.scene == folder.path / "scene.toml");
     CHECK(audited.settings == settings);
     const Scene scene = read_scene(audited.scene, audited.settings);
-    const Audit same = audit(scene, 16, ProgressStyle::silent);
+    const Audit same = audit(audited, scene, 16, ProgressStyle::silent);
+    CHECK(same.same_inputs);
     CHECK(same.places <= 16);
     CHECK(same.places > 4);
     CAPTURE(check_of(run));
@@ -46,7 +47,9 @@ TEST_CASE("an audit measures the error that its run reports", "[scenes][check_po
                Contains(fmt::format("{:.2f} K rms (95 % interval {:.2f} to {:.2f})", same.error.rms,
                                     same.error.low, same.error.high)));
     // More places of the same pictures: another draw of the same error, more narrowly known.
-    const Audit more = audit(scene, 256, ProgressStyle::silent);
+    const Audit more = audit({.scene = audited.scene, .settings = {"scene.seed=2"}}, scene, 256,
+                             ProgressStyle::silent);
+    CHECK_FALSE(more.same_inputs);
     CHECK(more.places > 8 * same.places);
     CHECK(more.error.rms > 0.3 * same.error.rms);
     CHECK(more.error.rms < 3.0 * same.error.rms);
@@ -62,6 +65,10 @@ TEST_CASE("an audit needs the folder of a complete run", "[scenes][audit][input]
     CHECK_THROWS_WITH(audited_run(folder.path), Contains("is not the folder of a complete run"));
     write_text(folder.path / "manifest.json",
                R"({"program": "diurna 0.1.0", "state": "done", "scene_file": "scene.toml",
-                   "settings": ["variant v0"], "outputs": {}})");
+                   "settings": ["variant v0"], "outputs": {"temperatures.nc": "0"}})");
     CHECK_THROWS_WITH(audited_run(folder.path), Contains("variant v0 of a sweep"));
+    write_text(folder.path / "manifest.json",
+               R"({"program": "diurna 0.1.0", "state": "done", "scene_file": "scene.toml",
+                   "settings": [], "outputs": {"report.html": "0"}})");
+    CHECK_THROWS_WITH(audited_run(folder.path), Contains("temperatures of another file"));
 }

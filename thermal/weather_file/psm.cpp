@@ -118,8 +118,8 @@ WeatherTable read_psm(const std::filesystem::path& file, const AskedSpan& asked)
                              fmt::format("no column '{}' in an NSRDB file", psm_times[k]));
         }
     }
-    // SAM takes hourly rows without a minute as those of the middle of the hour (NREL, SAM's help:
-    // weather file formats).
+    // SAM takes hourly rows without a minute as those of the middle of the hour (NREL/ssc,
+    // shared/lib_weatherfile.cpp).
     const double no_minute = time[4] ? 0.0 : 1800.0;  // [s]
     if (!time[4]) {
         table.notes.push_back("no column Minute: rows are those of the middle of their hour");

@@ -45,7 +45,7 @@ std::string likely_unit(Quantity quantity, double value) {
     }
 }
 
-/// -999, 9999 and the like, which mark missing values.
+/// Numbers such as -999 and 9999 that mark missing values.
 bool stands_for_none(double value) {
     std::string digits = fmt::format("{:g}", std::abs(value));
     std::erase(digits, '.');

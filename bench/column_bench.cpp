@@ -16,9 +16,9 @@
 
 #include "bench/column_peers.hpp"
 #include "materials/base/parallel.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
 #include "terrain/visibility/view_factors.hpp"

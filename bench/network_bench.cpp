@@ -12,12 +12,12 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/scene_sky_view.hpp"
-#include "scenes/run/sun_exposure.hpp"
-#include "scenes/world/stepping.hpp"
-#include "scenes/world/targets.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/scene_sky_view.hpp"
+#include "scenes/job/run/sun_exposure.hpp"
+#include "scenes/job/world/stepping.hpp"
+#include "scenes/job/world/targets.hpp"
 #include "tests/support/sheet_scene.hpp"
 #include "thermal/solve/solver.hpp"
 

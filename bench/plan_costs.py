@@ -1,6 +1,6 @@
 """python3 bench/plan_costs.py DIURNA [--write] : measures what the plan takes work to cost.
 
-Runs small scenes, made here by formula, in each of which one constant of scenes/plan/plan_costs.hpp is most of a stage;
+Runs small scenes, made here by formula, in each of which one constant of scenes/job/plan/plan_costs.hpp is most of a stage;
 prints for each what the stage took (seconds of the processor, one thread) over what `diurna plan` said, and the constant
 that would have said it. With --write the constants take those values; build, and measure again until all ratios are near 1
 (stages share constants). Several scenes at once, or a busy machine, do not matter: seconds are the processor's.

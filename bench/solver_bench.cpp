@@ -5,7 +5,7 @@
 // facet at every step's instant against steps twelve times as short, modes four times as fine and a
 // period closed to 1e-6 K.
 
-#include "scenes/world/stepping.hpp"
+#include "scenes/job/world/stepping.hpp"
 #include "thermal/solve/solver.hpp"
 
 #include <fmt/format.h>
@@ -15,10 +15,10 @@
 #include <ctime>
 
 #include "materials/base/parallel.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/scene_sky_view.hpp"
-#include "scenes/run/sun_exposure.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/scene_sky_view.hpp"
+#include "scenes/job/run/sun_exposure.hpp"
 
 using namespace diurna;
 

@@ -16,7 +16,7 @@
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/job/run/heat.hpp"
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/place/sun.hpp"

@@ -5,7 +5,7 @@ find_package(pybind11 CONFIG REQUIRED)
 # What only the command line uses is not compiled: its verbs, export, the pages of keys.
 get_target_property(scenes_sources scenes SOURCES)
 list(FILTER scenes_sources EXCLUDE REGEX
-    "/scenes/(commands|export|keys)/|/scenes/report/(ffmpeg|movie|swatch_chart|material_pages)\\.cpp|/slurm_scripts\\.cpp")
+    "/scenes/(commands|export|keys)/|/scenes/products/report/(ffmpeg|movie|swatch_chart|material_pages)\\.cpp|/slurm_scripts\\.cpp")
 set_target_properties(scenes PROPERTIES SOURCES "${scenes_sources}")
 
 # Moves rooms of a module to -O1, with which their compilation takes a third less time: those that read and write

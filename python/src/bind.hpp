@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/picture/frame.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "scenes/studies/study_request.hpp"
 #include "terrain/place/instant.hpp"
 

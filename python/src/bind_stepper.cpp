@@ -5,10 +5,10 @@
 #include "python/src/bind.hpp"
 #include "python/src/long_call.hpp"
 #include "python/src/thread_limit.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/stepper.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/stepper.hpp"
 
-// A scene that Python drives (scenes/run/stepper.hpp).
+// A scene that Python drives (scenes/job/run/stepper.hpp).
 
 namespace diurna::python {
 

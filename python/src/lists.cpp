@@ -8,8 +8,8 @@
 #include "materials/matter/library_notes.hpp"
 #include "materials/matter/read_library.hpp"
 #include "python/src/bind.hpp"
-#include "scenes/input/bands.hpp"
-#include "scenes/report/material_figures.hpp"
+#include "scenes/job/input/bands.hpp"
+#include "scenes/products/report/material_figures.hpp"
 #include "terrain/objects/models/models.hpp"
 
 // Lists of what a scene may name: materials, models, bands, air.

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "scenes/plan/progress.hpp"
+#include "scenes/job/plan/progress.hpp"
 
 namespace diurna::python {
 

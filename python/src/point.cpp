@@ -10,7 +10,7 @@
 #include "materials/radiation/planck.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/thread_limit.hpp"
-#include "scenes/input/bands.hpp"
+#include "scenes/job/input/bands.hpp"
 #include "terrain/place/sun.hpp"
 
 // What needs no scene: the sun, a path through the air, Planck's law.

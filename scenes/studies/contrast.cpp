@@ -13,11 +13,11 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "render/detection/busy_background.hpp"
-#include "scenes/run/picture.hpp"
-#include "scenes/run/sun_on_surfaces.hpp"
+#include "scenes/job/run/picture.hpp"
+#include "scenes/job/run/sun_on_surfaces.hpp"
+#include "scenes/job/world/heights.hpp"
 #include "scenes/studies/contrast_on_line.hpp"
 #include "scenes/studies/seen_regions.hpp"
-#include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_contrast.hpp"
-#include "scenes/plan/progress.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/read_contrast.hpp"
+#include "scenes/job/plan/progress.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {

@@ -10,8 +10,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
+#include "scenes/job/world/stepping.hpp"
 #include "scenes/studies/seen_regions.hpp"
-#include "scenes/world/stepping.hpp"
 
 namespace diurna {
 

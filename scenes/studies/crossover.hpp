@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_crossover.hpp"
+#include "scenes/job/input/read_crossover.hpp"
 #include "scenes/studies/crossings.hpp"
 #include "scenes/studies/other_scene.hpp"
 

@@ -11,10 +11,10 @@
 #include "render/detection/ranges.hpp"
 #include "render/detection/resolvable.hpp"
 #include "render/detection/task_metric.hpp"
-#include "scenes/run/sun_on_surfaces.hpp"
+#include "scenes/job/run/sun_on_surfaces.hpp"
+#include "scenes/job/world/heights.hpp"
 #include "scenes/studies/air_on_line.hpp"
 #include "scenes/studies/contrast_on_line.hpp"
-#include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/detection/tasks.hpp"
-#include "scenes/input/read_detection.hpp"
+#include "scenes/job/input/read_detection.hpp"
 #include "scenes/studies/signature_scene.hpp"
 
 namespace diurna {

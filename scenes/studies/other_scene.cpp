@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/job/run/heat.hpp"
 
 namespace diurna {
 

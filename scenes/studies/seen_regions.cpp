@@ -9,7 +9,7 @@
 #include "materials/base/error.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/view/cast_view.hpp"
-#include "scenes/run/picture.hpp"
+#include "scenes/job/run/picture.hpp"
 
 namespace diurna {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_region.hpp"
-#include "scenes/run/series.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/read_region.hpp"
+#include "scenes/job/run/series.hpp"
+#include "scenes/job/run/stages.hpp"
 
 namespace diurna {
 

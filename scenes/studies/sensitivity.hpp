@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_sensitivity.hpp"
+#include "scenes/job/input/read_sensitivity.hpp"
 #include "scenes/studies/elementary_effects.hpp"
 #include "scenes/studies/other_scene.hpp"
 

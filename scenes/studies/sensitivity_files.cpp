@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenes/report/html.hpp"
+#include "scenes/charts/html.hpp"
 #include "scenes/studies/study_files.hpp"
 
 namespace diurna {

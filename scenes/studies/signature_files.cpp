@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "materials/base/units.hpp"
-#include "scenes/report/html.hpp"
+#include "scenes/charts/html.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {

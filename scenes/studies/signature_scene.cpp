@@ -10,11 +10,11 @@
 
 #include "materials/base/error.hpp"
 #include "render/view/pixel_rays.hpp"
-#include "scenes/labels/labelled.hpp"
-#include "scenes/run/given_heat.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/picture.hpp"
-#include "scenes/run/series.hpp"
+#include "scenes/job/run/given_heat.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/picture.hpp"
+#include "scenes/job/run/series.hpp"
+#include "scenes/products/labels/labelled.hpp"
 #include "scenes/studies/seen_regions.hpp"
 #include "terrain/place/local_time.hpp"
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "render/view/observer.hpp"
-#include "scenes/input/read_signature.hpp"
-#include "scenes/plan/progress.hpp"
-#include "scenes/run/stages.hpp"
-#include "scenes/world/upright_box.hpp"
+#include "scenes/job/input/read_signature.hpp"
+#include "scenes/job/plan/progress.hpp"
+#include "scenes/job/run/stages.hpp"
+#include "scenes/job/world/upright_box.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {

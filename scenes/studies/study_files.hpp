@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "materials/base/files_read.hpp"
-#include "scenes/report/chart.hpp"
+#include "scenes/charts/chart.hpp"
 
 namespace diurna {
 

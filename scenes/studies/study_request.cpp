@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 
 namespace diurna {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene.hpp"
-#include "scenes/plan/progress.hpp"
+#include "scenes/job/input/scene.hpp"
+#include "scenes/job/plan/progress.hpp"
 #include "scenes/studies/other_scene.hpp"
 #include "scenes/studies/study_files.hpp"
 

@@ -42,7 +42,7 @@ struct ReciprocityReport {
 /// rows last: this exchange is one-way.
 ///
 /// Ground under a building would see the walls' backs, which do not see it: it would lose most of
-/// its view to `below`. Scenes have no ground there (scenes/world/world).
+/// its view to `below`. Scenes have no ground there (scenes/job/world/world).
 ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
                                   const ReciprocityOptions& options = {});
 

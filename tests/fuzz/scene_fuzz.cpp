@@ -1,4 +1,4 @@
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/corpus/yard.hpp"
 #include "tests/fuzz/fuzzed.hpp"
 

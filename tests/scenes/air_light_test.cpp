@@ -1,4 +1,4 @@
-#include "scenes/world/air_light.hpp"
+#include "scenes/job/world/air_light.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

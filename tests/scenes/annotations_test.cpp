@@ -16,12 +16,12 @@
 
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/labels/kitti.hpp"
-#include "scenes/labels/label_contrast.hpp"
-#include "scenes/labels/object_masks.hpp"
-#include "scenes/labels/split.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/products/labels/kitti.hpp"
+#include "scenes/products/labels/label_contrast.hpp"
+#include "scenes/products/labels/object_masks.hpp"
+#include "scenes/products/labels/split.hpp"
 #include "tests/support/labelled_yard.hpp"
 #include "tests/support/passed_over.hpp"
 

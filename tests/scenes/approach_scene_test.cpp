@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/frame_files.hpp"
-#include "scenes/run/frames.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/frame_files.hpp"
+#include "scenes/job/run/frames.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/black_band.hpp"
 #include "tests/support/scratch_folder.hpp"
 

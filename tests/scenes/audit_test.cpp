@@ -1,4 +1,4 @@
-#include "scenes/run/audit.hpp"
+#include "scenes/job/run/audit.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

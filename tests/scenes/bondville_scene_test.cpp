@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/measured_days.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
-#include "scenes/cache/stage_store.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/store/stage_store.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Stages by what they are made of: a run that takes what earlier ones have found leaves, to the

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "render/picture/exr.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/labelled_yard.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "scenes/run/check_points.hpp"
+#include "scenes/job/run/check_points.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/frame_files.hpp"
-#include "scenes/run/check_error.hpp"
-#include "scenes/run/frames.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/frame_files.hpp"
+#include "scenes/job/run/check_error.hpp"
+#include "scenes/job/run/frames.hpp"
+#include "scenes/job/run/heat.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "scenes/plan/chosen_pictures.hpp"
+#include "scenes/job/plan/chosen_pictures.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
-#include "scenes/run/listed_outputs.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/run/listed_outputs.hpp"
 #include "tests/support/differing.hpp"
 #include "tests/support/folder_contents.hpp"
 #include "tests/support/ran.hpp"

@@ -11,7 +11,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/radiation/planck.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "scenes/studies/air_on_line.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/contrast_on_line.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/world/copy_ground.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/world/copy_ground.hpp"
 #include "tests/support/copied_crates.hpp"
 
 // What copies may be reported, and the ground that is made fine for them.

@@ -12,11 +12,11 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/job.hpp"
-#include "scenes/run/stages.hpp"
-#include "scenes/world/surroundings.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/run/stages.hpp"
+#include "scenes/job/world/surroundings.hpp"
 #include "tests/support/copied_crates.hpp"
 
 // Copies that share facets and temperatures, against the same objects built out one by one.

@@ -13,7 +13,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "scenes/studies/crossover_files.hpp"
 #include "tests/support/heated_plate.hpp"
 

@@ -1,11 +1,11 @@
-#include "scenes/report/curves.hpp"
+#include "scenes/charts/curves.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "scenes/cache/digest.hpp"
-#include "scenes/report/chart.hpp"
-#include "scenes/report/chart_layout.hpp"
-#include "scenes/report/time_axis.hpp"
+#include "scenes/charts/chart.hpp"
+#include "scenes/charts/chart_layout.hpp"
+#include "scenes/charts/time_axis.hpp"
+#include "scenes/job/store/digest.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "scenes/run/ground_to_horizon.hpp"
+#include "scenes/job/run/ground_to_horizon.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/stepper.hpp"
-#include "scenes/warnings/scene_warnings.hpp"
-#include "scenes/world/border_ground.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/stepper.hpp"
+#include "scenes/job/warnings/scene_warnings.hpp"
+#include "scenes/job/world/border_ground.hpp"
 #include "tests/support/slope_scene.hpp"
 
 using namespace diurna;

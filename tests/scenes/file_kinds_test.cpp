@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "thermal/point/point_job_file.hpp"
 

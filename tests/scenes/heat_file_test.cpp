@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/every_kind_scene.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/solve/heat_state_file.hpp"

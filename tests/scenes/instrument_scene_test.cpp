@@ -9,11 +9,11 @@
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/instrument_cost.hpp"
-#include "scenes/plan/plan_text.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/instrument_cost.hpp"
+#include "scenes/job/plan/plan_text.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 // An instrument of a scene, from its keys to its files.

@@ -10,7 +10,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/world/targets.hpp"
+#include "scenes/job/world/targets.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 #include "tests/support/sheet_scene.hpp"
 #include "thermal/surface/hot_jet.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/warnings/scene_warnings.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/warnings/scene_warnings.hpp"
 #include "terrain/raster/geotiff.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenes/world/land.hpp"
+#include "scenes/job/world/land.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
-#include "scenes/world/build_world.hpp"
-#include "scenes/world/world.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/world/build_world.hpp"
+#include "scenes/job/world/world.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geotiff.hpp"

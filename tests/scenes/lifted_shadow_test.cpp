@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "materials/base/files.hpp"
-#include "scenes/run/sun_exposure.hpp"
+#include "scenes/job/run/sun_exposure.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/sheet_scene.hpp"
 

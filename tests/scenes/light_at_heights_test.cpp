@@ -1,11 +1,11 @@
-#include "scenes/world/light_at_heights.hpp"
+#include "scenes/job/world/light_at_heights.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/world/heights.hpp"
-#include "scenes/world/instant_lights.hpp"
-#include "scenes/world/scene_weather.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/world/heights.hpp"
+#include "scenes/job/world/instant_lights.hpp"
+#include "scenes/job/world/scene_weather.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"

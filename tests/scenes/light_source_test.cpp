@@ -1,4 +1,4 @@
-#include "scenes/world/light_source.hpp"
+#include "scenes/job/world/light_source.hpp"
 
 #include <catch2/catch.hpp>
 

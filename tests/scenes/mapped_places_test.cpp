@@ -7,10 +7,10 @@
 #include <string>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
-#include "scenes/world/elevation.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/world/elevation.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geoid.hpp"
 #include "tests/support/keys_of_page.hpp"

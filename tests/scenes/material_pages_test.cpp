@@ -1,4 +1,4 @@
-#include "scenes/report/material_pages.hpp"
+#include "scenes/products/report/material_pages.hpp"
 
 #include <sys/wait.h>
 
@@ -10,8 +10,8 @@
 #include "materials/base/data_folder.hpp"
 #include "materials/base/files.hpp"
 #include "materials/matter/read_library.hpp"
-#include "scenes/report/material_figures.hpp"
-#include "scenes/report/swatch_chart.hpp"
+#include "scenes/products/report/material_figures.hpp"
+#include "scenes/products/report/swatch_chart.hpp"
 
 using namespace diurna;
 

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "materials/matter/broadband.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/light_heights.hpp"
-#include "scenes/run/measured_materials.hpp"
-#include "scenes/world/measured_albedo.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/light_heights.hpp"
+#include "scenes/job/run/measured_materials.hpp"
+#include "scenes/job/world/measured_albedo.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -1,11 +1,11 @@
-#include "scenes/plan/memory_limit.hpp"
+#include "scenes/job/plan/memory_limit.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

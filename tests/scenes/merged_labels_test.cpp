@@ -1,4 +1,4 @@
-#include "scenes/sweep/merged_labels.hpp"
+#include "scenes/app/sweep/merged_labels.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

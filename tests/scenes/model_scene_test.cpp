@@ -8,7 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "tests/support/sheet_scene.hpp"
 

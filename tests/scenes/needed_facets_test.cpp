@@ -1,4 +1,4 @@
-#include "scenes/run/needed_facets.hpp"
+#include "scenes/job/run/needed_facets.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/frame_files.hpp"
-#include "scenes/run/frames.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/frame_files.hpp"
+#include "scenes/job/run/frames.hpp"
+#include "scenes/job/run/heat.hpp"
 #include "tests/support/crate.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Where the heat of a facet has no balance, a run ends, and reports whose and when.

@@ -1,4 +1,4 @@
-#include "scenes/world/overlaps.hpp"
+#include "scenes/job/world/overlaps.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/run/radiometers.hpp"
+#include "scenes/job/run/radiometers.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/sheet_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenes/world/rain_cover.hpp"
+#include "scenes/job/world/rain_cover.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

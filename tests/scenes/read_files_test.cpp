@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "materials/base/error.hpp"
-#include "scenes/export/inspect.hpp"
-#include "scenes/export/zip_file.hpp"
+#include "scenes/products/export/inspect.hpp"
+#include "scenes/products/export/zip_file.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/land_shapes.hpp"
 #include "terrain/raster/read_dem.hpp"

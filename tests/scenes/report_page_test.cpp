@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
-#include "scenes/cache/digest.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/report/html.hpp"
-#include "scenes/report/page.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/charts/html.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
+#include "scenes/job/store/digest.hpp"
+#include "scenes/products/report/page.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/passed_over.hpp"
 #include "tests/support/ran.hpp"

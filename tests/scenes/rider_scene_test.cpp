@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/crate.hpp"
 #include "tests/support/small_scene.hpp"
 

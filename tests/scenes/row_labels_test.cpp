@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/crate.hpp"
 #include "tests/support/small_scene.hpp"
 

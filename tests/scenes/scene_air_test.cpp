@@ -1,10 +1,10 @@
-#include "scenes/world/air.hpp"
-#include "scenes/world/scene_weather.hpp"
+#include "scenes/job/world/air.hpp"
+#include "scenes/job/world/scene_weather.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/world/instant_lights.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/world/instant_lights.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"

@@ -1,11 +1,11 @@
-#include "scenes/input/bands.hpp"
+#include "scenes/job/input/bands.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
 #include "materials/base/error.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 

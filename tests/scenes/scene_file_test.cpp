@@ -1,4 +1,4 @@
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
-#include "scenes/world/heights.hpp"
-#include "scenes/world/scene_weather.hpp"
+#include "scenes/job/world/heights.hpp"
+#include "scenes/job/world/scene_weather.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/world/air.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/world/air.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "materials/base/document.hpp"
-#include "scenes/input/read_time.hpp"
+#include "scenes/job/input/read_time.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "scenes/warnings/scene_warnings.hpp"
+#include "scenes/job/warnings/scene_warnings.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -11,7 +11,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "scenes/studies/detection.hpp"
 #include "scenes/studies/signature_aspects.hpp"
 #include "tests/support/small_scene.hpp"

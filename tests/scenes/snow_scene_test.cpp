@@ -10,12 +10,12 @@
 #include "materials/matter/broadband.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/covered_surfaces.hpp"
-#include "scenes/run/frames.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/covered_surfaces.hpp"
+#include "scenes/job/run/frames.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "scenes/world/stance.hpp"
+#include "scenes/job/world/stance.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,9 +8,9 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/warnings/scene_warnings.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/warnings/scene_warnings.hpp"
 #include "tests/support/slope_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "scenes/run/stepper.hpp"
+#include "scenes/job/run/stepper.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/heat.hpp"
 #include "tests/support/crate.hpp"
 #include "tests/support/slope_scene.hpp"
 #include "tests/support/small_scene.hpp"

@@ -1,11 +1,11 @@
-#include "scenes/run/sun_exposure.hpp"
+#include "scenes/job/run/sun_exposure.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "scenes/input/scene_file.hpp"
+#include "scenes/job/input/scene_file.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Days of a span that take over what the days around them agree on, against each worked out in

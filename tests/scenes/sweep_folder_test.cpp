@@ -1,4 +1,4 @@
-#include "scenes/plan/sweep_folder.hpp"
+#include "scenes/job/plan/sweep_folder.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -6,10 +6,10 @@
 #include <functional>
 
 #include "materials/base/error.hpp"
-#include "scenes/export/inspect.hpp"
-#include "scenes/export/run_heat.hpp"
-#include "scenes/report/movie.hpp"
-#include "scenes/run/listed_outputs.hpp"
+#include "scenes/job/run/listed_outputs.hpp"
+#include "scenes/products/export/inspect.hpp"
+#include "scenes/products/export/run_heat.hpp"
+#include "scenes/products/report/movie.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,13 +1,13 @@
-#include "scenes/plan/target_sight.hpp"
+#include "scenes/job/plan/target_sight.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/warnings/scene_warnings.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/warnings/scene_warnings.hpp"
 #include "tests/support/slope_scene.hpp"
 
 using namespace diurna;

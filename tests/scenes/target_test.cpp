@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "materials/base/units.hpp"
-#include "scenes/world/targets.hpp"
+#include "scenes/job/world/targets.hpp"
 #include "tests/support/target_scene.hpp"
 
 using namespace diurna;

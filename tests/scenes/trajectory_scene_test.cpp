@@ -13,9 +13,9 @@
 #include "render/picture/exr.hpp"
 #include "render/view/pixel_rays.hpp"
 #include "render/view/place_in_picture.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Observers that go along trajectories: where they are, what they look at, and that a picture alone

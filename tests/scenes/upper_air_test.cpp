@@ -1,4 +1,4 @@
-#include "scenes/world/upper_air.hpp"
+#include "scenes/job/world/upper_air.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -1,11 +1,11 @@
-#include "scenes/world/wind.hpp"
+#include "scenes/job/world/wind.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/world/build_world.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/world/build_world.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "tests/support/sheet_scene.hpp"
 #include "tests/support/small_scene.hpp"

@@ -1,15 +1,15 @@
-#include "scenes/world/build_world.hpp"
+#include "scenes/job/world/build_world.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <utility>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/plan.hpp"
-#include "scenes/plan/plan_text.hpp"
-#include "scenes/run/picture.hpp"
-#include "scenes/world/ground_point.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/plan.hpp"
+#include "scenes/job/plan/plan_text.hpp"
+#include "scenes/job/run/picture.hpp"
+#include "scenes/job/world/ground_point.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"

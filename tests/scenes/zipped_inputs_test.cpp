@@ -2,8 +2,8 @@
 #include <string>
 
 #include "materials/base/error.hpp"
-#include "scenes/export/inspect.hpp"
-#include "scenes/export/zip_file.hpp"
+#include "scenes/products/export/inspect.hpp"
+#include "scenes/products/export/zip_file.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// A hall in the sun on a plain, where nothing emits or reflects.

@@ -29,7 +29,7 @@ class KeysOfPage : public Catch::TestEventListenerBase {
                 INFO("a reader asks for "
                      << path
                      << ", which scenes/KEYS.md does not have; let a "
-                        "specimen reach it (scenes/keys/specimens.cpp) and print "
+                        "specimen reach it (scenes/job/keys/specimens.cpp) and print "
                         "the page again: diurna keys > scenes/KEYS.md");
                 CHECK(known_.contains(path));
             }

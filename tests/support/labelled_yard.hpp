@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/sheet_scene.hpp"
 
 /// A run with labels, and where its blocks must lie in the picture.

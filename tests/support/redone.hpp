@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "render/picture/exr.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// What a third party can add up again: the radiance of pixels from the planes of a picture and the

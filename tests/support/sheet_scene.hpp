@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
-#include "scenes/run/heat.hpp"
-#include "scenes/run/scene_sky_view.hpp"
-#include "scenes/run/stages.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/scene_sky_view.hpp"
+#include "scenes/job/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// A mesh over a plain on the equator at equinox, under one air of 290 K.

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "scenes/run/job.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/redone.hpp"
 
 using namespace redone;

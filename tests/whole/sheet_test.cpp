@@ -6,7 +6,7 @@
 
 #include "materials/base/units.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/job/run/job.hpp"
 #include "tests/support/level_squares.hpp"
 
 // Open meshes: both sides of a sheet have sky, sun, neighbours and air of their own. What is

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scenes/plan/prepared.hpp"
+#include "scenes/job/plan/prepared.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/hall.hpp"
 

@@ -25,7 +25,7 @@ bool stands_upright(const std::string& name);
 /// Throws InputError for a name that is not in the table.
 MeshFile model_mesh(const std::string& name, Detail detail);
 
-/// The file that describes its parts (scenes/input/read_target.hpp): materials, rooms, engine.
+/// The file that describes its parts (scenes/job/input/read_target.hpp): materials, rooms, engine.
 std::filesystem::path model_part_file(const std::string& name);
 
 }  // namespace diurna

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "materials/base/data_folder.hpp"
-#include "scenes/input/scene_file.hpp"
-#include "scenes/plan/prepared.hpp"
+#include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
 #include "terrain/place/sun.hpp"
 
 int main() {

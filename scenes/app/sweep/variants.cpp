@@ -1,0 +1,177 @@
+#include "scenes/app/sweep/variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <string_view>
+
+#include "materials/base/document.hpp"
+#include "materials/base/random.hpp"
+#include "scenes/job/input/scene_file.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Takes value `choice` of an axis to where its keys lead.
+void take(Document& document, const SweepAxis& axis, std::size_t number, std::size_t choice) {
+    const std::string from = fmt::format("sweep.axis.{}.values.{}", number, choice);
+    for (std::size_t k = 0; k < axis.keys.size(); ++k) {
+        document.move_value(axis.keys.size() == 1 ? from : fmt::format("{}.{}", from, k),
+                            axis.keys[k]);
+    }
+}
+
+Document document_of(const Sweep& sweep) {
+    Document document = Document::from_file(sweep.file, sweep.base.confines);
+    for (const std::string& setting : sweep.settings) document.set(setting);
+    return document;
+}
+
+/// With a variant's values of those axes that count.
+template <class Counts>
+Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& counts) {
+    Document document = document_of(sweep);
+    const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        if (counts(axes[a])) take(document, axes[a], a, variant.choice[a]);
+    }
+    document.drop("sweep");
+    return read_scene(document);
+}
+
+/// Whether the ground's mesh follows the observers (terrain.coarsest_m), in any variant.
+bool ground_by_observers(const Scene& base) {
+    bool follows = base.terrain.coarsest > base.terrain.elevation.tolerance;
+    for (const SweepAxis& axis : base.sweep.axes) {
+        for (const std::string& key : axis.keys) {
+            follows = follows || key == "terrain" || key == "terrain.coarsest_m" ||
+                      (key == "terrain.tolerance_m" && base.terrain.coarsest > 0.0);
+        }
+    }
+    return follows;
+}
+
+/// Numbers of the grid, ascending: all, or drawn one after the other.
+std::vector<std::uint64_t> chosen_numbers(const SweepInput& sweep, std::uint64_t seed) {
+    const auto grid = static_cast<std::uint64_t>(sweep.grid());
+    if (!sweep.draw || double(*sweep.draw) == sweep.grid()) {
+        std::vector<std::uint64_t> all(grid);
+        std::iota(all.begin(), all.end(), std::uint64_t{0});
+        return all;
+    }
+    constexpr std::uint64_t purpose = 0x53E3B;  // apart from what else the seed draws
+    std::set<std::uint64_t> drawn;
+    for (std::uint64_t k = 0; drawn.size() < *sweep.draw; ++k) {
+        const double share = unit_interval(hashed(hashed(seed ^ purpose) + k));
+        drawn.insert(std::min(grid - 1, static_cast<std::uint64_t>(share * double(grid))));
+    }
+    return {drawn.begin(), drawn.end()};
+}
+
+std::size_t digits(std::uint64_t count) {
+    return std::to_string(std::max<std::uint64_t>(count, 1) - 1).size();
+}
+
+/// Of the grid, the last axis running fastest.
+Variant variant_of(const Sweep& whole, std::uint64_t number) {
+    const SweepInput& sweep = whole.base.sweep;
+    Variant variant{.name = fmt::format("v{:0{}}", number, digits(std::uint64_t(sweep.grid()))),
+                    .choice = std::vector<std::size_t>(sweep.axes.size()),
+                    .heat = ""};
+    for (std::size_t a = sweep.axes.size(); a-- > 0;) {
+        const std::uint64_t count = sweep.axes[a].values.size();
+        variant.choice[a] = static_cast<std::size_t>(number % count);
+        number /= count;
+    }
+    std::uint64_t heat = 0, heats = 1;
+    for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+        if (!touches_heat(whole, sweep.axes[a])) continue;
+        heat = heat * sweep.axes[a].values.size() + variant.choice[a];
+        heats *= sweep.axes[a].values.size();
+    }
+    variant.heat = fmt::format("h{:0{}}", heat, digits(heats));
+    return variant;
+}
+
+}  // namespace
+
+void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
+    std::vector<Mistake> mistakes;
+    std::set<std::string> reported;
+    const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
+            try {
+                Document document = document_of(sweep);
+                take(document, axes[a], a, v);
+                document.drop("sweep");
+                use(read_scene(document));
+            } catch (const InputError& error) {
+                // A key that is none is so for every value: reported of the first.
+                for (const Mistake& mistake : error.mistakes()) {
+                    const std::string key = mistake.where.substr(mistake.where.find(' ') + 1);
+                    if (reported.insert(key + mistake.problem).second) mistakes.push_back(mistake);
+                }
+            }
+        }
+    }
+    if (!mistakes.empty()) throw InputError(std::move(mistakes));
+}
+
+std::size_t Sweep::solves() const {
+    std::set<std::string> heats;
+    for (const Variant& variant : variants) heats.insert(variant.heat);
+    return heats.size();
+}
+
+bool touches_heat(const Sweep& sweep, const SweepAxis& axis) {
+    return !std::all_of(axis.keys.begin(), axis.keys.end(), [&](const std::string& key) {
+        const std::size_t last = key.rfind('.') + 1;  // of no dot: 0
+        if (key.starts_with("labels.") || key.starts_with("instrument.")) return true;
+        return key.starts_with("observer.") && !key.substr(last).starts_with("frame") &&
+               !sweep.ground_by_observers;
+    });
+}
+
+Sweep read_sweep_variants(const std::filesystem::path& file,
+                          const std::vector<std::string>& settings, bool allow_outside) {
+    Sweep sweep{.file = file,
+                .settings = settings,
+                .base = read_scene(file, settings, allow_outside),
+                .variants = {}};
+    for_each_value(sweep, [](const Scene&) {});
+    sweep.ground_by_observers = ground_by_observers(sweep.base);
+    for (const std::uint64_t number : chosen_numbers(sweep.base.sweep, sweep.base.seed)) {
+        sweep.variants.push_back(variant_of(sweep, number));
+    }
+    std::stable_sort(sweep.variants.begin(), sweep.variants.end(),
+                     [](const Variant& a, const Variant& b) { return a.heat < b.heat; });
+    return sweep;
+}
+
+Scene scene_of(const Sweep& sweep, const Variant& variant) {
+    return scene_with(sweep, variant, [](const SweepAxis&) { return true; });
+}
+
+Scene heat_scene_of(const Sweep& sweep, const Variant& variant) {
+    return scene_with(sweep, variant,
+                      [&](const SweepAxis& axis) { return touches_heat(sweep, axis); });
+}
+
+std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant) {
+    std::vector<std::string> settings = sweep.settings;
+    const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        for (std::size_t k = 0; k < axes[a].keys.size(); ++k) {
+            if (!touches_heat(sweep, axes[a])) continue;
+            settings.push_back(axes[a].keys[k] + "=" + axes[a].values[variant.choice[a]][k]);
+        }
+    }
+    return settings;
+}
+
+}  // namespace diurna

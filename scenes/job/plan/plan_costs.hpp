@@ -1,0 +1,62 @@
+#pragma once
+
+namespace diurna {
+
+/// Costs for the time estimate of a plan: seconds of the processor for each item counted before
+/// anything is computed (scenes/job/plan/plan.cpp), and bytes. `bench/plan_costs.py` measures each
+/// on a small scene in which it dominates a stage, and rewrites this file; the numbers are for the
+/// machine class named in bench/results.
+struct PlanCosts {
+    // [s] The world, built before the plan: of the program, and of a facet.
+    double start = 0.30;
+    double world_per_facet = 5e-6;
+    double light_per_hour = 0.045;  // of daylight: distribution of sky light (air_spread.hpp)
+    // [s] View factors.
+    double sky_per_facet = 40e-6;        // of the ground, of buildings
+    double sky_per_ray = 1.6e-6;         // of an object with a thermal network
+    double shadow_per_ground = 0.25e-6;  // and sunlit step
+    double shadow_per_object = 0.5e-6;   // more of them have edges
+    // [s] The heat balance.
+    double heat_per_step = 0.55e-6;         // of a facet, all passes and the exchange
+    double heat_per_coupled_step = 1.8e-6;  // of one that sees objects or other ground
+    double lane = 0.86e-3;                  // a day of a facet with dew or rain, in lanes of eight
+    double freezing_lane = 2.9e-3;          // the same with freezing; half of it on uniform slopes
+    double point = 5e-3;             // of one solved individually (thermal/solve/point_facets.hpp)
+    double lane_by_steps = 1.7e-3;   // number of these per step of a day
+    double lane_day_more = 0.15;     // a further day, relative to the first, repeated one
+    double network_day = 1.05e-3;    // of a facet of a network (thermal/solve/network_facets)
+    double network_step = 2.2e-6;    // and step of it
+    double network_day_more = 0.73;  // a further day, relative to the first, repeated one
+    double flux_passes = 1.3;        // if the terms of the heat balance are written
+    double write_per_value = 0.08e-6;
+    // [s] Pictures.
+    double cast_per_ray = 0.046e-6;     // including its hit
+    double render_per_pixel = 0.83e-6;  // and band
+    double air_per_band = 0.024;        // and frame: tables of paths and backgrounds
+    double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
+    double secondary_per_ray =
+        15e-6;                     // that goes on off water or a mirror, through a pane or a net
+    double samples_by_need = 3.0;  // of such a pixel, over those requested (follow_rays.hpp)
+    double secondary_per_root =
+        3.2e-3;  // and band, frame: root of the pixels that send rays on; what
+                 // they meet and its air are shared, the more the more there are
+    double air_per_channel = 0.027;  // of a cube, and frame
+    double render_per_channel = 0.12e-6;
+    double blur_per_sample = 0.7e-6;  // of an instrument's radiance and frame
+    double detect_per_pixel = 1.0e-6;
+    double annotate_per_pixel = 0.33e-6;
+    double seen_through = 2.5;  // factor on casting and rendering for rays through smoke
+    // [bytes]
+    double program = 75e6;             // and its libraries
+    double facet = 600.0;              // stored once
+    double network_facet = 1800.0;     // of a network, and its rays to others
+    double network_facet_step = 24.0;  // and step, of no more than a day
+    double freezing_facet = 8000.0;    // with freezing water, in lanes
+    double view_pixel = 160.0;
+    double plane_value = 8.0;     // of a plane, and of the file written from it
+    double channel_value = 32.0;  // of a value of a cube: rendered, written to two files
+};
+
+inline constexpr PlanCosts plan_costs{};
+
+}  // namespace diurna

@@ -1,0 +1,65 @@
+#include "scenes/job/plan/seen_pixels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Where a direction falls in the picture, in widths of it from its middle, and how large a pixel
+/// is there.
+struct Spot {
+    bool inside = false;
+    double pixel = 1.0;  // [sr], or [m²] of an orthographic picture
+};
+
+Spot spot_of(const Observer& observer, const Eigen::Vector3d& to) {
+    const double tall = double(observer.height) / observer.width;
+    const double columns = double(observer.width) * observer.width;
+    if (observer.projection == Projection::orthographic) {
+        const double wide = observer.picture_width;
+        return {std::abs(to.x()) <= 0.5 * wide && std::abs(to.z()) <= 0.5 * wide * tall,
+                wide * wide / columns};
+    }
+    const double across = radians(observer.horizontal_fov_deg);
+    if (observer.projection == Projection::pinhole) {
+        const double half = std::tan(0.5 * across);
+        if (!(to.y() > 0.0)) return {};
+        const double x = std::abs(to.x()) / to.y(), z = std::abs(to.z()) / to.y();
+        const double slant = to.y() / to.norm();  // cosine of the angle from the axis
+        return {x <= half && z <= half * tall, 4.0 * half * half / columns * slant * slant * slant};
+    }
+    const double angle = std::atan2(std::hypot(to.x(), to.z()), to.y());
+    return {angle <= 0.5 * across, across * across / columns};
+}
+
+}  // namespace
+
+double seen_pixels(const Observer& observer, const FacetSet& facets,
+                   const std::function<bool(MaterialId)>& counts) {
+    const Eigen::Matrix3d axes =
+        attitude_of(observer).toRotationMatrix().transpose();  // to right, forward, up
+    double pixels = 0.0;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (!counts(facets.material[f])) continue;
+        const Eigen::Vector3d line = facets.centroid[f].cast<double>() - observer.position;
+        const Eigen::Vector3d normal = facets.normal[f].cast<double>();
+        const bool parallel = observer.projection == Projection::orthographic;
+        const Eigen::Vector3d along =
+            parallel ? Eigen::Vector3d(axes.row(1).transpose()) : line.normalized();
+        const double facing = -along.dot(normal);
+        if (!(facing > 0.0)) continue;
+        const Spot spot = spot_of(observer, axes * line);
+        if (!spot.inside) continue;
+        const double apparent =
+            parallel ? facets.area[f] * facing : facets.area[f] * facing / line.squaredNorm();
+        pixels += apparent / spot.pixel;
+    }
+    return std::min(pixels, double(observer.width) * observer.height);
+}
+
+}  // namespace diurna

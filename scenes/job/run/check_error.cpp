@@ -1,0 +1,204 @@
+#include "scenes/job/run/check_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "materials/base/random.hpp"
+#include "render/view/linear_ground.hpp"
+#include "render/view/pixel_heat.hpp"
+#include "render/view/pixel_sun.hpp"
+#include "scenes/job/run/sun_on_surfaces.hpp"
+#include "terrain/place/local_time.hpp"
+#include "terrain/place/sun.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_checked_instants = 24;
+constexpr std::size_t most_named = 4;  // materials
+
+/// The points' facets and all that share a corner with one.
+std::vector<FacetId> about(const World& world, const CheckPoints& points) {
+    const FacetSet& facets = world.facets;
+    const TextureLevels& levels = world.texture_levels;
+    std::vector<std::uint8_t> touched(facets.vertex.size(), 0);
+    for (const CheckPoint& point : points.point) {
+        const std::size_t f = levels.solid_of(point.surface);
+        for (const std::uint32_t v : facets.corner[f]) touched[v] = 1;
+    }
+    std::vector<FacetId> near;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const auto& corner = facets.corner[f];
+        if (std::any_of(corner.begin(), corner.end(), [&](auto v) { return touched[v] != 0; })) {
+            near.push_back(FacetId{static_cast<std::uint32_t>(f)});
+        }
+    }
+    return near;
+}
+
+/// (point) [K] by how much a picture shows a point warmer than its surface is in the mean.
+std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoints& points,
+                                      std::span<const FacetId> near, Instant when,
+                                      std::span<const float> temperature) {
+    std::vector<float> warmer(points.point.size(), 0.0f);
+    const World& world = prepared.world;
+    const SunPosition place = sun_over(prepared, when);
+    const std::vector<float> fraction =
+        sun_on_surfaces(prepared, place, prepared.scene.sun_samples, near);
+    const TextureLevels& levels = world.texture_levels;
+    const FacetSet& surfaces = world.surfaces();
+    const SunOverFacets sun{prepared.rays, surfaces, fraction, sun_direction(place)};
+    std::vector<FacetId> of_point;
+    for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
+    const std::vector<FacetSlope> slope =
+        facet_slopes(of_point, {.sun = sun,
+                                .ground_facets = world.ground_facets,
+                                .levels = &levels,
+                                .temperature = temperature});
+    for (std::size_t k = 0; k < warmer.size(); ++k) {
+        const CheckPoint& point = points.point[k];
+        warmer[k] = slope[k].at((point.place - surfaces.centroid[point.surface]).head<2>());
+    }
+    if (fraction.empty()) return warmer;
+    std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
+    for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
+        crossed.push_back(crossed[levels.solid_of(f)]);
+    }
+    const std::vector<float> kelvins = kelvins_of_sun(
+        surfaces, crossed, fraction, temperature,
+        most_kelvins_of_sun(surfaces, prepared.scene.materials, sun.to_sun, temperature));
+    const SunExposure on_patch = sun_at(points, prepared, {when});
+    for (std::size_t k = 0; k < warmer.size(); ++k) {
+        const std::uint32_t f = points.point[k].surface;
+        warmer[k] += kelvins[f] * (on_patch.fraction[k] - fraction[f]);
+    }
+    return warmer;
+}
+
+/// [K] 2.5th and 97.5th percentile of the rms where points are drawn again with replacement.
+std::pair<double, double> interval(const std::vector<double>& of_point, std::size_t instants,
+                                   std::uint64_t seed) {
+    constexpr std::size_t draws = 400;
+    RandomStream random{hashed(seed)};
+    std::vector<double> rms;
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < of_point.size(); ++k) {
+            sum += of_point[std::size_t(random() * double(of_point.size()))];
+        }
+        rms.push_back(std::sqrt(sum / double(of_point.size() * instants)));
+    }
+    std::sort(rms.begin(), rms.end());
+    return {rms[draws / 40], rms[draws - 1 - draws / 40]};
+}
+
+/// Squares [K²] and how many.
+struct Sum {
+    double squares = 0.0;
+    std::size_t points = 0;
+};
+
+}  // namespace
+
+CheckError check_error(const Prepared& prepared, const CheckPoints& points,
+                       const TemperatureField& field, std::span<const float> patches) {
+    CheckError error;
+    const std::size_t count = points.point.size(), all = field.instant.size();
+    if (count == 0 || all == 0) return error;
+    const std::vector<FacetId> near = about(prepared.world, points);
+    const FacetSet& surfaces = prepared.world.surfaces();
+    const std::size_t asked = std::min(all, most_checked_instants);
+    std::vector<double> off;
+    std::map<std::uint32_t, Sum> observers;
+    std::map<std::string, Sum> materials;
+    std::vector<double> of_point(count, 0.0);  // [K²] summed over instants
+    double squares = 0.0, by_rays = 0.0;
+    for (std::size_t a = 0; a < asked; ++a) {
+        const std::size_t i = asked > 1 ? a * (all - 1) / (asked - 1) : 0;
+        const std::span<const float> kelvin = field.at(i);
+        const std::vector<float> warmer =
+            warmer_in_pictures(prepared, points, near, field.instant[i], kelvin);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t f = points.point[k].surface;
+            const float* const patch = patches.data() + 2 * i * count;
+            const double e = double{kelvin[f]} + double{warmer[k]} - double{patch[k]};
+            const double ray = double{kelvin[f]} - double{patch[count + k]};
+            by_rays += ray * ray;
+            off.push_back(std::abs(e));
+            squares += e * e;
+            of_point[k] += e * e;
+            const std::string& material = prepared.scene.materials[surfaces.material[f]].kind();
+            for (Sum* sum : {&observers[points.point[k].observer], &materials[material]}) {
+                sum->squares += e * e;
+                sum->points += a == 0 ? 1 : 0;
+            }
+            if (std::abs(e) <= error.worst) continue;
+            error.worst = std::abs(e);
+            error.worst_at =
+                fmt::format("facet {} of {} at {}", f, material,
+                            format_local(field.instant[i], prepared.scene.time.utc_offset));
+        }
+    }
+    error.rms = std::sqrt(squares / double(off.size()));
+    error.by_rays = std::sqrt(by_rays / double(off.size()));
+    std::tie(error.low, error.high) = interval(of_point, asked, prepared.scene.seed);
+    const auto hundredth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 99 / 100);
+    std::nth_element(off.begin(), hundredth, off.end());
+    error.percentile_99 = *hundredth;
+    for (const auto& [o, sum] : observers) {
+        error.observer.push_back({prepared.scene.observers[o].name,
+                                  std::sqrt(sum.squares / double(sum.points * asked)), sum.points});
+    }
+    for (const auto& [name, sum] : materials) {
+        if (squares > 0.0) error.share.push_back({name, sum.squares / squares, sum.points});
+    }
+    std::stable_sort(error.share.begin(), error.share.end(),
+                     [](const auto& a, const auto& b) { return a.rms > b.rms; });
+    return error;
+}
+
+std::string in_words(const CheckError& error, const CheckPoints& points, double tolerance) {
+    const std::string unchecked =
+        points.skipped == 0
+            ? ""
+            : fmt::format(
+                  "; {} drawn places on panes, nets, sheets, targets or copies are not "
+                  "checked",
+                  points.skipped);
+    if (points.point.empty()) {
+        return fmt::format("{} no picture shows ground or a plain object{}", check_begins,
+                           unchecked);
+    }
+    std::vector<std::string> observers, materials;
+    for (const CheckError::Of& of : error.observer) {
+        observers.push_back(fmt::format("{} {:.2f} K", of.name, of.rms));
+    }
+    for (const CheckError::Of& of : error.share) {
+        if (of.rms < 0.05 || materials.size() == most_named) break;
+        materials.push_back(fmt::format("{} {:.0f} %", of.name, 100.0 * of.rms));
+    }
+    std::string line = fmt::format(
+        "{} temperatures in pictures differ by {:.2f} K rms (95 % interval {:.2f} to {:.2f}) from "
+        "{} places solved with sun, sky and surroundings of their own; {:.2f} K of it comes from "
+        "the number of rays; 99th percentile {:.2f} K, largest {:.1f} K ({}); by observer: {}; "
+        "share of the mean square: {}",
+        check_begins, error.rms, error.low, error.high, points.point.size(), error.by_rays,
+        error.percentile_99, error.worst, error.worst_at, fmt::join(observers, ", "),
+        fmt::join(materials, ", "));
+    line += unchecked;
+    if (tolerance > 0.0 && error.low > tolerance) {
+        line += fmt::format("; this is more than tolerance_K = {:g}: {}", tolerance,
+                            error.by_rays * error.by_rays > 0.5 * error.rms * error.rms
+                                ? "larger scene.sky_rays and scene.sun_samples reduce it"
+                                : "a smaller largest_edge_m of ground and objects reduces it");
+    }
+    return line;
+}
+
+}  // namespace diurna

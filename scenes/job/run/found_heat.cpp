@@ -1,0 +1,69 @@
+#include "scenes/job/run/found_heat.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "scenes/job/run/heat.hpp"
+#include "scenes/job/store/stage_bytes.hpp"
+#include "scenes/job/store/stage_keys.hpp"
+#include "scenes/job/world/stepping.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr const char* stage = "heat";
+
+/// Some of its instants; nothing where one is not there. Of water on facets all or nothing, for
+/// which facets are named goes by the instants.
+std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
+                                            TemperatureField field) {
+    if (field.instant == wanted) return field;
+    if (!field.water.empty()) return std::nullopt;
+    TemperatureField some{.instant = wanted, .facets = field.facets, .kelvin = {}};
+    some.solved_as = std::move(field.solved_as);
+    some.kelvin.reserve(wanted.size() * field.facets);
+    for (const Instant when : wanted) {
+        const auto at = std::lower_bound(field.instant.begin(), field.instant.end(), when);
+        if (at == field.instant.end() || *at != when) return std::nullopt;
+        const auto row = std::as_const(field).at(std::size_t(at - field.instant.begin()));
+        some.kelvin.insert(some.kelvin.end(), row.begin(), row.end());
+    }
+    return some;
+}
+
+}  // namespace
+
+SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
+                     const HeatDecision& decision) {
+    const Prepared& prepared = stages.scene();
+    const OutputInput& output = prepared.scene.output;
+    const bool kept_whole = !output.state && !output.fluxes && prepared.radiometers.empty();
+    const StageStore* store = kept_whole ? stages.store() : nullptr;
+    const std::string key = store == nullptr ? "" : heat_key(prepared, inputs, decision.tolerance);
+    if (const auto bytes = store == nullptr ? std::nullopt : store->find(stage, key)) {
+        FoundHeat found = heat_of(*bytes);
+        const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
+        if (auto field = at_instants(wanted, std::move(found.temperature))) {
+            store->note_taken(stage);
+            HeatReport report = heat_report_of(found.reported);
+            drop_check_of_others(prepared.scene, report);
+            return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},
+                    .solved = false,
+                    .report = std::move(report)};
+        }
+    }
+    const auto begun = std::chrono::steady_clock::now();
+    SceneHeat heat{.result = solve_scene(stages, progress, decision), .report = {}};
+    heat.report = heat_report(prepared.scene, heat.result);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
+        store->keep(stage, key,
+                    bytes_of(FoundHeat{heat.result.temperature, as_messages(heat.report)}));
+    }
+    return heat;
+}
+
+}  // namespace diurna

@@ -1,0 +1,55 @@
+#include "scenes/job/run/frame_messages.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+namespace diurna {
+
+namespace {
+
+/// Of all frames' notes of one name, which begin with a number, that of the greatest.
+std::string worst_note(std::span<const Messages> notes, const std::string& name) {
+    std::string worst;
+    double most = -1.0;
+    for (const Messages& of_frame : notes) {
+        for (const auto& [key, note] : of_frame) {
+            const double value = std::strtod(note.c_str(), nullptr);
+            if (key != name || value <= most) continue;
+            most = value;
+            worst = note;
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+std::vector<std::string> errors_reported(const ObserverInput& observer,
+                                         std::span<const Messages> reported) {
+    std::vector<std::string> lines;
+    for (const std::string& band : observer.bands) {
+        std::string line = "radiance tables against direct sums, worst frame: " + observer.name +
+                           ", " + band + ": " + worst_note(reported, "error." + band);
+        const std::string scattered = worst_note(reported, "scattered." + band);
+        if (!scattered.empty()) line += "; light scattered in front of surfaces: " + scattered;
+        lines.push_back(std::move(line));
+    }
+    if (const std::string water = worst_note(reported, "water"); !water.empty()) {
+        lines.push_back("wet and snow-covered surfaces, frame with most of them: " + observer.name +
+                        ": " + water);
+    }
+    return lines;
+}
+
+std::vector<std::string> beyond_reported(const ObserverInput& observer,
+                                         std::span<const Messages> reported) {
+    std::vector<std::string> lines;
+    for (const std::string& band : observer.bands) {
+        const std::string beyond = worst_note(reported, "beyond." + band);
+        if (beyond.empty()) continue;
+        lines.push_back("grey picture of " + observer.name + ", " + band + ": " + beyond);
+    }
+    return lines;
+}
+
+}  // namespace diurna

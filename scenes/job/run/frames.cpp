@@ -1,0 +1,251 @@
+#include "scenes/job/run/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "materials/base/number_of.hpp"
+#include "materials/base/parallel.hpp"
+#include "render/picture/cube.hpp"
+#include "render/picture/exr.hpp"
+#include "render/picture/grey_picture.hpp"
+#include "render/picture/quicklook.hpp"
+#include "scenes/job/plan/frame_files.hpp"
+#include "scenes/job/run/frame_messages.hpp"
+#include "scenes/job/run/instrument_pictures.hpp"
+#include "scenes/job/run/picture.hpp"
+#include "scenes/job/run/series.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string not_held(const GreyPicture& counts, Instant instant) {
+    return fmt::format(
+        "{} outside {} at {}, written as the last count; the EXR file has the true values",
+        number_of(counts.beyond, "pixel"), counts.scale, format_instant(instant));
+}
+
+/// EXR, quick-look and plain grey picture of every band; returns what the pictures could not hold.
+Messages write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
+                     const Scene& scene, const CameraTags& camera) {
+    const LabelsInput& labels = scene.labels;
+    Messages reported;
+    for (const Band& band : bands) {
+        const std::string name = frame_base(frame.observer, band.name, frame.instant);
+        const Frame one = band_frame(frame, band.name);
+        write_exr(out / (name + ".exr"), one, scene.output.compression, &camera);
+        write_quicklook(out / (name + ".png"), one, shown_plane(band));
+        const std::filesystem::path grey =
+            out / grey_picture(frame.observer, band.name, frame.instant, labels.format);
+        std::filesystem::create_directories(grey.parent_path());
+        const GreyPicture counts = grey_picture_of(one, shown_plane(band), labels.bits);
+        write_grey_picture(grey, counts, labels.format);
+        // The ends of eight bits are those of the quick-look, which leave some out by intent.
+        if (labels.bits == 16 && counts.beyond > 0) {
+            reported.emplace_back("beyond." + band.name, not_held(counts, frame.instant));
+        }
+    }
+    return reported;
+}
+
+/// In the spectral OpenEXR layout and for ENVI.
+void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
+                const CameraTags& camera) {
+    Frame frame = spectral_frame(cube);
+    frame.attributes.insert(facts.begin(), facts.end());
+    write_exr(base.string() + ".exr", frame, ExrCompression::piz, &camera);
+    write_envi(base.string() + ".img", cube);
+}
+
+using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
+
+/// Renders and writes the bands and cubes of one instant, enters them with the tables' notes of
+/// their error, and leaves what instruments see of it.
+///
+/// - blurred: objects go on while the picture is taken
+void render_instant(const Prepared& prepared, const Series& s, const FacetViews& views,
+                    const TemperatureField& field, Instant instant,
+                    std::span<const InstrumentSeries> instruments, const fs::path& out,
+                    Ledger& ledger, bool blurred = false) {
+    const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
+    Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
+    for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
+        reported.push_back(std::move(beyond));
+    }
+    for (std::size_t c = 0; c < s.cubes.size(); ++c) {
+        write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
+                   picture.facts, picture.camera);
+    }
+    const std::vector<std::string> files =
+        picture_files(s.input, instant, prepared.scene.labels.format);
+    if (!files.empty()) ledger.add(files, std::move(reported));
+    for (const InstrumentSeries& one : instruments) {
+        const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
+        const fs::path file =
+            out / (instrument_base(s.input.name, one.view.band.name, instant) + ".exr");
+        fs::create_directories(file.parent_path());
+        write_exr(file, frame, ExrCompression::none, &picture.camera);
+    }
+}
+
+/// Whether objects go on while a picture is taken.
+bool blurs(const Movement& movement, const Observer& observer, Instant when) {
+    return !movement.none() && observer.takes_time() && movement.moves_at(when);
+}
+
+/// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
+/// frame alone is what it is among others.
+void render_alone(const Stages& stages, std::size_t o, const ObserverInput& input,
+                  std::size_t frame, const TemperatureField& field,
+                  const InstrumentViews& instruments, const fs::path& out, Ledger& ledger) {
+    const Prepared& scene = stages.scene();
+    const Movement& movement = scene.movement;
+    const Sequence& sequence = scene.sequences[o];
+    const Instant instant = sequence.frame[frame];
+    const SceneStage stage = stages.at(movement.stage_of(instant));
+    std::optional<Prepared> on_the_way;
+    const bool blurred = blurs(movement, sequence.at(frame), instant);
+    if (blurred) {
+        on_the_way.emplace(moving(scene, movement.poses_at(instant), movement.motions_at(instant),
+                                  sequence.at(frame).reach()));
+    } else if (!movement.none() && movement.is_under_way(instant)) {
+        on_the_way.emplace(moved(scene, movement.poses_at(instant)));
+    }
+    const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
+    const Series own =
+        cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
+    const std::vector<InstrumentSeries> finer =
+        cast_instruments(instruments, here, sequence.at(frame), {&instant, 1}, stage.views, field);
+    render_instant(here, own, stage.views, field, instant, finer, out, ledger, blurred);
+}
+
+/// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
+/// once for each stage.
+///
+/// - input: with the bands that are wanted
+void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& input,
+                     std::span<const std::size_t> wanted, const TemperatureField& field,
+                     const InstrumentViews& instruments, const fs::path& out, Progress& progress,
+                     Ledger& ledger) {
+    const Prepared& scene = stages.scene();
+    const Movement& movement = scene.movement;
+    const Sequence& sequence = scene.sequences[o];
+    std::vector<std::size_t> alone;                              // places in `wanted`
+    std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Instant when = sequence.frame[wanted[i]];
+        const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when)) ||
+                          blurs(movement, sequence.at(wanted[i]), when);
+        (goes ? alone : still[movement.stage_of(when)]).push_back(i);
+    }
+    std::atomic<std::size_t> done = 0;
+    const auto each = [&](const std::vector<std::size_t>& of, const auto& render_one) {
+        for_each_index(
+            of.size(),
+            [&](std::size_t k) {
+                render_one(wanted[of[k]]);
+                progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
+            },
+            1);
+    };
+    for (std::size_t s = 0; s < still.size(); ++s) {
+        if (still[s].empty()) continue;
+        progress.stage(StageId::views, input.name);
+        const SceneStage stage = stages.at(s);
+        std::vector<Instant> frames;  // of the stage, whichever are still to be rendered
+        for (const Instant when : sequence.frame) {
+            if (movement.stage_of(when) == s) frames.push_back(when);
+        }
+        const Series series =
+            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
+        const std::vector<InstrumentSeries> finer = cast_instruments(
+            instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
+        progress.stage(StageId::frames, input.name);
+        each(still[s], [&](std::size_t frame) {
+            render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame], finer,
+                           out, ledger);
+        });
+    }
+    if (!alone.empty()) progress.stage(StageId::frames, input.name);
+    each(alone, [&](std::size_t frame) {
+        render_alone(stages, o, input, frame, field, instruments, out, ledger);
+    });
+}
+
+}  // namespace
+
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const fs::path& out, Progress& progress,
+                           Ledger& ledger) {
+    FramesReport report;
+    const Prepared& prepared = stages.scene();
+    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
+        const ObserverInput& input = chosen[o];
+        const std::vector<Instant>& all = prepared.sequences[o].frame;
+        const auto files = [&](Instant when) {
+            return frame_files(input, when, prepared.scene.labels.format);
+        };
+        std::vector<std::size_t> wanted;  // places in all
+        for (const Instant when : input.frames) {
+            if (ledger.has(files(when))) continue;
+            wanted.push_back(
+                std::size_t(std::lower_bound(all.begin(), all.end(), when) - all.begin()));
+        }
+        if (!wanted.empty()) {
+            const InstrumentViews instruments = instrument_views(prepared.scene, input);
+            render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
+            if (!instruments.empty()) progress.stage(StageId::instruments, input.name);
+            for (const auto& view : instruments) {
+                Messages notes;
+                for (std::string& note :
+                     take_pictures(*view, prepared, prepared.sequences[o], wanted, out)) {
+                    notes.emplace_back("instrument", std::move(note));
+                }
+                ledger.add({calibration_file(input.name, view->band.name)}, std::move(notes));
+            }
+            for (const std::size_t i : wanted) {
+                const std::vector<std::string> taken =
+                    instrument_files(input, all[i], prepared.scene.labels.format);
+                if (!taken.empty()) ledger.add(taken, {});
+            }
+        }
+        for (const std::string& band : input.instruments) {
+            for (const auto& [what, note] : ledger.reported(calibration_file(input.name, band))) {
+                report.warnings.push_back("instrument " + note);
+            }
+        }
+        report.rendered += wanted.size();
+        std::vector<Messages> reported;
+        for (const Instant when : input.frames) {
+            if (!files(when).empty()) reported.push_back(ledger.reported(files(when).front()));
+        }
+        for (std::string& line : errors_reported(input, reported))
+            report.notes.push_back(std::move(line));
+        for (std::string& line : beyond_reported(input, reported)) {
+            report.warnings.push_back(std::move(line));
+        }
+    }
+    return report;
+}
+
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const fs::path& out, Progress& progress) {
+    Ledger ledger(out, "", false);
+    ledger.write();
+    return render_frames(stages, chosen, field, out, progress, ledger);
+}
+
+FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
+                           Progress& progress) {
+    return render_frames(stages, stages.scene().scene.observers, field, out, progress);
+}
+
+}  // namespace diurna

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/job/input/scene.hpp"
+#include "scenes/job/store/messages.hpp"
+#include "thermal/solve/solve_span.hpp"
+
+namespace diurna {
+
+/// What is reported of a heat balance: by the run that solved it, and by later ones that take its
+/// temperatures from a folder or the cache.
+struct HeatReport {
+    std::string not_converged{};  // in one line; "" if it converged
+    std::string start{};          // how the start was found, and its effect
+    std::vector<std::string> notes{};
+    std::vector<std::pair<std::string, std::string>> rows{};  // of the report's table of errors
+    /// Digest of the scene in whose pictures check points were drawn
+    /// (scenes/job/run/check_error.hpp);
+    /// "": none were.
+    std::string checked_in{};
+};
+
+HeatReport heat_report(const Scene& scene, const SpanResult& result);
+
+/// Says that the facets' error was not measured if the check points were drawn in the pictures of
+/// another scene.
+void drop_check_of_others(const Scene& scene, HeatReport& report);
+
+/// As a ledger and the cache keep it.
+Messages as_messages(const HeatReport& report);
+HeatReport heat_report_of(const Messages& messages);
+
+}  // namespace diurna

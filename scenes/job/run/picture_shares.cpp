@@ -1,0 +1,84 @@
+#include "scenes/job/run/picture_shares.hpp"
+
+#include <algorithm>
+
+#include "render/rays/follow_rays.hpp"
+#include "render/view/cast_view.hpp"
+#include "scenes/job/run/series.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Adds what one picture sees, the most of it and of what is there already.
+void add_picture(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
+                 Instant when, std::vector<float>& share) {
+    const FacetSet& surfaces = prepared.world.surfaces();
+    const ViewOptions sampling{.samples = input.samples,
+                               .seed = prepared.scene.seed,
+                               .texture_levels = &prepared.world.texture_levels};
+    View view = cast_view(prepared.rays, surfaces, pose, sampling);
+    const PlumeScene plumes(prepared.plumes);
+    const SecondaryRays secondary_rays = follow_rays(view,
+                                                     {.rays = prepared.rays,
+                                                      .facets = surfaces,
+                                                      .materials = prepared.scene.materials,
+                                                      .plumes = plumes,
+                                                      .wind_speed = wind_at(prepared, when)},
+                                                     pose, sampling);
+    std::vector<float> here(share.size(), 0.0f);
+    const float pixel = 1.0f / static_cast<float>(view.pixels());
+    for (const Sighting& s : view.sighting) {
+        here[index(view.facet[s.target])] += pixel * s.weight;
+    }
+    for (const SecondaryRay& secondary : secondary_rays.secondary) {
+        if (secondary.kind == SecondaryRay::Kind::facet)
+            here[secondary.what] += pixel * secondary.weight;
+    }
+    for (std::size_t f = 0; f < share.size(); ++f) share[f] = std::max(share[f], here[f]);
+}
+
+}  // namespace
+
+std::vector<float> picture_shares(const Stages& stages, int most_poses) {
+    const Prepared& scene = stages.scene();
+    std::vector<float> share(scene.world.surfaces().size(), 0.0f);
+    for (std::size_t o = 0; o < scene.sequences.size(); ++o) {
+        const Sequence& sequence = scene.sequences[o];
+        std::vector<std::vector<std::size_t>> of_stage(stages.size());
+        for (std::size_t i = 0; i < sequence.frame.size(); ++i) {
+            of_stage[scene.movement.stage_of(sequence.frame[i])].push_back(i);
+        }
+        for (std::size_t s = 0; s < stages.size(); ++s) {
+            const std::vector<std::size_t>& frames = of_stage[s];
+            if (frames.empty()) continue;
+            const std::size_t poses = sequence.goes ? frames.size() : 1;
+            const std::size_t asked = std::min(poses, static_cast<std::size_t>(most_poses));
+            for (std::size_t i = 0; i < asked; ++i) {
+                const std::size_t frame = frames[asked > 1 ? i * (poses - 1) / (asked - 1) : 0];
+                add_picture(stages.at(s).prepared, scene.scene.observers[o], sequence.at(frame),
+                            sequence.frame[frame], share);
+            }
+        }
+    }
+    return share;
+}
+
+std::vector<std::uint8_t> seen_or_beside(const World& world, const std::vector<float>& share) {
+    const FacetSet& solid = world.facets;
+    const TextureLevels& levels = world.texture_levels;
+    std::vector<std::uint8_t> corner_seen(solid.vertex.size(), 0);
+    for (std::size_t f = 0; f < share.size(); ++f) {
+        if (!(share[f] > 0.0f)) continue;
+        for (const std::uint32_t v : solid.corner[levels.solid_of(f)]) corner_seen[v] = 1;
+    }
+    std::vector<std::uint8_t> near(share.size(), 0);
+    for (std::size_t f = 0; f < share.size(); ++f) {
+        const auto& corner = solid.corner[levels.solid_of(f)];
+        near[f] = std::any_of(corner.begin(), corner.end(),
+                              [&](std::uint32_t v) { return corner_seen[v] != 0; });
+    }
+    return near;
+}
+
+}  // namespace diurna

@@ -1,0 +1,158 @@
+#include "scenes/job/run/run_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/unfinished.hpp"
+#include "scenes/job/run/ledger.hpp"
+#include "scenes/job/run/listed_outputs.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Folders of a run's, all of whose files are a run's.
+constexpr const char* own_folders[] = {"frames", "images", "labels", "kitti", "kitti/calib"};
+
+/// Whether anything but folders and temporary files lies beneath.
+bool holds_files(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const bool counts = !entry.is_directory() || entry.is_symlink();
+        if (counts && !is_temporary_name(entry.path().filename().string())) return true;
+    }
+    return false;
+}
+
+bool is_sweep(const fs::path& out) {
+    return fs::is_directory(out / "variants") || fs::is_directory(out / "heat");
+}
+
+/// "frames/east_8-12_20260715T040000Z.exr" -> "east_8-12_20260715T040000Z"
+std::string stem_of(const std::string& name) { return fs::path(name).stem().string(); }
+
+[[noreturn]] void refuse(const fs::path& out, const std::string& found, const std::string& hint) {
+    throw InputError("--out", fmt::format("{} {}", out.string(), found), hint);
+}
+
+}  // namespace
+
+void check_run_folder(const fs::path& out, FolderKind kind) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(out, problem);
+    if (!fs::exists(status)) {
+        if (fs::is_symlink(fs::symlink_status(out, problem))) {
+            refuse(out, "is a broken symbolic link", "expected a folder");
+        }
+        fs::path above = out.lexically_normal();
+        while (above.has_parent_path() && above.parent_path() != above && !fs::exists(above)) {
+            above = above.parent_path();
+        }
+        if (fs::exists(above) && !fs::is_directory(above)) {
+            refuse(out, fmt::format("cannot be created: {} is not a folder", above.string()), "");
+        }
+        return;
+    }
+    if (!fs::is_directory(status))
+        refuse(out, "is not a folder", "expected a folder or a new name");
+    for (const char* inner : own_folders) {
+        if (fs::is_symlink(fs::symlink_status(out / inner, problem))) {
+            refuse(out, fmt::format("has a symbolic link in place of its folder {}", inner), "");
+        }
+    }
+    if (is_sweep(out) != (kind == FolderKind::sweep) && holds_files(out) &&
+        (is_sweep(out) || is_listed(out))) {
+        refuse(out, is_sweep(out) ? "holds the results of a sweep" : "holds the results of a run",
+               "choose another folder");
+    }
+    if (is_sweep(out) || is_listed(out) || !holds_files(out)) return;
+    refuse(out, "holds files that are not results of a run", "choose another folder, new or empty");
+}
+
+void check_no_input_in(const fs::path& out, const std::vector<RunInput>& inputs) {
+    const fs::path folder = fs::weakly_canonical(out);
+    for (const RunInput& input : inputs) {
+        const fs::path below = fs::weakly_canonical(input.path).lexically_relative(folder);
+        if (below.empty() || *below.begin() == "..") continue;
+        refuse(out, fmt::format("holds {}, an input of this run", input.path.string()),
+               "choose another folder");
+    }
+}
+
+FolderLock::FolderLock(const fs::path& folder, bool shared) {
+    fs::create_directories(folder);
+    file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file_ < 0) {
+        throw std::runtime_error(
+            fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno)));
+    }
+    if (::flock(file_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return;
+    const int reason = errno;
+    if (reason == EWOULDBLOCK) {
+        ::close(file_);
+        refuse(folder, "is in use by another run",
+               "wait until that run ends, or choose another folder");
+    }
+    // File systems of networks may know no locks of folders: then the folder is not guarded.
+    fmt::print(stderr,
+               "note: {} cannot be locked, so another run may write to it at the same time: {}\n",
+               folder.string(), std::strerror(reason));
+}
+
+FolderLock::~FolderLock() { ::close(file_); }
+
+void clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
+                      const std::vector<std::string>& expected,
+                      const std::function<void(const Cleared&)>& tell) {
+    const std::set<std::string> wanted(expected.begin(), expected.end());
+    std::set<std::string> known = wanted, stems;
+    for (std::string& name : ledger_names(out)) known.insert(std::move(name));
+    for (const auto& [name, digest] : listed_outputs(out).digest) known.insert(name);
+    for (const std::string& name : known) stems.insert(stem_of(name));
+    std::set<std::string> wanted_stems;
+    for (const std::string& name : wanted) wanted_stems.insert(stem_of(name));
+
+    std::vector<fs::path> old;
+    Cleared cleared;
+    const auto sort_out = [&](const std::string& folder, bool own) {
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(out / folder, none)) {
+            const std::string file = entry.path().filename().string();
+            const std::string name = folder.empty() ? file : folder + "/" + file;
+            const bool inner = entry.is_directory() && !entry.is_symlink();
+            if (keep.contains(name) || (inner && name == "kitti/calib")) continue;
+            const bool ours = !inner && (known.contains(name) || is_temporary_name(file) ||
+                                         (own && stems.contains(stem_of(file))));
+            if (ours) {
+                old.push_back(entry.path());
+                if (!own || is_temporary_name(file)) continue;
+                if (!wanted_stems.contains(stem_of(file))) {
+                    ++cleared.gone;
+                } else if (wanted.contains(name)) {
+                    ++cleared.again;
+                }  // else labels, which are written at the end of each run
+            } else if (own) {
+                refuse(out,
+                       fmt::format(
+                           "holds {}, which was not written by an earlier run of this scene", name),
+                       "remove it, or choose another folder");
+            }
+        }
+    };
+    sort_out("", false);
+    for (const char* folder : own_folders) sort_out(folder, true);
+    if (tell && cleared.again + cleared.gone > 0) tell(cleared);
+    for (const fs::path& file : old) fs::remove(file);
+}
+
+}  // namespace diurna

@@ -1,0 +1,123 @@
+#include "scenes/job/run/series.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/matter/waves.hpp"
+#include "render/light/radiance_input.hpp"
+#include "render/picture/cube.hpp"
+#include "render/rays/follow_rays.hpp"
+#include "render/view/cast_view.hpp"
+#include "scenes/job/run/appearances.hpp"
+#include "scenes/job/run/behind_planes.hpp"
+#include "scenes/job/run/light_heights.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// The mean of all frames': for rays off water, of which a view has one set. What they meet near by
+/// is weighed as in that wind; the sky between is that of each instant's.
+double mean_wind(const Prepared& prepared, std::span<const Instant> frames) {
+    double sum = 0.0;
+    for (const Instant instant : frames) sum += wind_at(prepared, instant);
+    return sum / std::max<double>(1.0, double(frames.size()));
+}
+
+/// Gives all levels of a texture in a facet's place its appearance: what a sample sees there is a
+/// mixture of them already.
+void without_textures(const TextureLevels& levels, std::vector<Appearance>& looks) {
+    if (levels.empty()) return;
+    for (Appearance& look : looks) {
+        for (std::size_t f = levels.solid; f < look.facet.size(); ++f) {
+            look.facet[f] = look.facet[levels.solid_of(f)];
+        }
+    }
+}
+
+/// Of an observer with so many samples a pixel: more, up to 16 times as many and no more than 256,
+/// where what a pixel sees differs in heat. Sixteen alone leave 0.2 to 0.3 K rms in a close view of
+/// vehicles and nets.
+AdaptiveOptions finer_at_edges(int samples) {
+    return {
+        .from = samples, .to = std::max(samples, std::min(256, 16 * samples)), .tolerance = 0.02};
+}
+
+}  // namespace
+
+double wind_at(const Prepared& prepared, Instant instant) {
+    return wind_over_water(prepared.weather.at(instant).wind_speed, prepared.weather.wind_height);
+}
+
+Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
+                   std::span<const Instant> frames, const FacetViews& views,
+                   const TemperatureField& field, std::span<const std::uint8_t> asked) {
+    const Scene& scene = prepared.scene;
+    const FacetSet& surfaces = prepared.world.surfaces();
+    Series s{.input = input,
+             .observer = pose,
+             .bands = {},
+             .sampling = {.samples = input.samples,
+                          .seed = scene.seed,
+                          .texture_levels = &prepared.world.texture_levels,
+                          .asked = asked},
+             .view = {},
+             .secondary_rays = {},
+             .lit = {},
+             .cubes = {},
+             .behind = {}};
+    for (const std::string& band : s.input.bands) {
+        s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
+    }
+    // Where nothing is said of it, by what is seen in 8-12 um, so that a band alone has the samples
+    // that it has among others. Not where each pixel's surfaces are listed: more samples see more
+    // than the list holds.
+    std::optional<AdaptiveOptions> adaptive = s.input.adaptive;
+    std::vector<Band> looked_at = s.bands;
+    if (!adaptive && asked.empty() && s.input.samples >= 4 && s.input.surfaces == 0) {
+        adaptive = finer_at_edges(s.input.samples);
+        looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
+    }
+    std::vector<Appearance> looks;
+    if (adaptive) looks = appearances(prepared, frames, views, field, looked_at);
+    if (!s.input.adaptive) without_textures(prepared.world.texture_levels, looks);
+    s.view = adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks, *adaptive,
+                                           s.sampling)
+                      : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
+    s.behind =
+        behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
+    const PlumeScene plumes(prepared.plumes);
+    std::optional<SecondarySampling> by_need;
+    if (adaptive) {
+        by_need = SecondarySampling{*adaptive, looks};
+        // Of each such pixel by itself, not of the picture: most of them would take all they may.
+        if (!s.input.adaptive) by_need->options.tolerance = 0.05;
+    }
+    s.secondary_rays = follow_rays(s.view,
+                                   {.rays = prepared.rays,
+                                    .facets = surfaces,
+                                    .materials = scene.materials,
+                                    .plumes = plumes,
+                                    .wind_speed = mean_wind(prepared, frames)},
+                                   s.observer, s.sampling, by_need ? &*by_need : nullptr);
+    RadianceInput still{.facets = surfaces,
+                        .views = views,
+                        .materials = scene.materials,
+                        .atmosphere = Vacuum{},
+                        .temperature = {},
+                        .ground_height_km = prepared.world.sea_level_height / 1000.0};
+    set_light_heights(prepared, still);
+    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.secondary_rays);
+    s.lit = lit_facets(still, seen, s.bands);
+    for (const std::string& name : s.input.cubes) {
+        const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                                       [&](const CubeInput& c) { return c.name == name; });
+        CubeSeries& series = s.cubes.emplace_back(CubeSeries{
+            name, channel_bands(cube->from_um, cube->to_um, cube->channels, bin_edges_um()), {}});
+        series.lit = lit_facets(still, seen, series.channels);
+    }
+    return s;
+}
+
+}  // namespace diurna

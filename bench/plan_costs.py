@@ -7,7 +7,7 @@ that would have said it. With --write the constants take those values; build, an
 """
 import math, os, re, shutil, subprocess, sys, tempfile
 
-HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "plan", "plan_costs.hpp")
+HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "job", "plan", "plan_costs.hpp")
 # What a run prints of its stages, by the plan's names.
 STAGES = {"terrain": "terrain", "sky view": "sky view", "shadows": "heat", "heat balance": "heat", "write temperatures": "write",
           "views": "views", "frames": "frames", "labels": "report", "report": "report"}

@@ -8,7 +8,7 @@ program=build/release/diurna
 scene=scenes/jacksboro/scene.toml
 out=out/demo
 cores=$(nproc)
-core_minutes=20 # of a first build: the sum of its sources on two cores
+core_minutes=14 # of a first build: measured 11.5 on two cores; a slower machine takes longer
 begin=$SECONDS
 
 step="the start"

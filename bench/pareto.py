@@ -61,12 +61,14 @@ def made_scene(name, folder):
     if name == "desert":
         height = 300 + 6 * np.sin(east / 35 + 0.4 * np.sin(north / 60)) + 0.01 * north
         latitude, ground, mean, swing, humidity = 24.0, "sand", 305, 10, 0.15
-        parts = ('[[ground]]\nname = "ledge"\nmaterial = "rock"\nrectangle_m = [60.0, 60.0, 120.0, 40.0, 20.0]\nlargest_edge_m = 6.0\n'
+        parts = ('[[ground]]\nname = "dunes"\nmaterial = "sand"\nrectangle_m = [0.0, 0.0, 400.0, 400.0, 0.0]\nlargest_edge_m = 10.0\n'
+                 '[[ground]]\nname = "ledge"\nmaterial = "rock"\nrectangle_m = [60.0, 60.0, 120.0, 40.0, 20.0]\nlargest_edge_m = 6.0\n'
                  '[[object]]\nname = "truck"\nmodel = "truck"\nplace_m = [0.0, 0.0]\nheading_deg = 30.0\n')
     else:
         height = np.full((n, n), 100.0)
         latitude, ground, mean, swing, humidity = 48.0, "asphalt", 294, 6, 0.5
-        parts = "".join(f'[[building]]\nname = "house {i} {j}"\nplace_m = [{40.0 * i:.1f}, {30.0 * j:.1f}]\nwidth_m = 26.0\ndepth_m = 12.0\nheight_m = '
+        parts = '[[ground]]\nname = "streets"\nmaterial = "asphalt"\nrectangle_m = [0.0, 0.0, 160.0, 120.0, 0.0]\nlargest_edge_m = 3.0\n' + "".join(
+                        f'[[building]]\nname = "house {i} {j}"\nplace_m = [{40.0 * i:.1f}, {30.0 * j:.1f}]\nwidth_m = 26.0\ndepth_m = 12.0\nheight_m = '
                         f'{8.0 + 3 * ((i + 2 * j) % 3):.1f}\nwall = "{("brick", "concrete")[(i + j) % 2]}"\nroof = "{("concrete", "clay_tile")[i % 2]}"\n'
                         for i in range(-1, 2) for j in range(-1, 2))
     rows = "\n".join(" ".join(f"{v:.3f}" for v in row) for row in height)

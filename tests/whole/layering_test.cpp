@@ -184,7 +184,10 @@ std::string unit_of(const std::string& file) { return file.substr(0, file.rfind(
 /// Height of a room in its folder; −1 if the table above does not have it.
 int height_of(const std::string& file) {
     const auto& low_to_high = rooms.at(folder_of(file));
-    const auto found = std::find(low_to_high.begin(), low_to_high.end(), room_of(file));
+    const std::string room = room_of(file);
+    const auto found = std::find_if(low_to_high.begin(), low_to_high.end(), [&](const auto& name) {
+        return room == name || room.rfind(name + "/", 0) == 0;  // or a folder of the room
+    });
     return found == low_to_high.end() ? -1 : int(found - low_to_high.begin());
 }
 

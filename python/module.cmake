@@ -5,7 +5,7 @@ find_package(pybind11 CONFIG REQUIRED)
 # What only the command line uses is not compiled: its verbs, export, the pages of keys.
 get_target_property(scenes_sources scenes SOURCES)
 list(FILTER scenes_sources EXCLUDE REGEX
-    "/scenes/(commands|export|keys)/|/scenes/products/report/(ffmpeg|movie|swatch_chart|material_pages)\\.cpp|/slurm_scripts\\.cpp")
+    "/scenes/(app/commands|products/export|job/keys)/|/scenes/products/report/(ffmpeg|movie|swatch_chart|material_pages)\\.cpp|/slurm_scripts\\.cpp")
 set_target_properties(scenes PROPERTIES SOURCES "${scenes_sources}")
 
 # Moves rooms of a module to -O1, with which their compilation takes a third less time: those that read and write
@@ -32,7 +32,7 @@ compile_lightly(materials "/materials/(base|modtran)/|/materials/matter/(read|li
 compile_lightly(terrain "/terrain/(ground|objects|place|raster|texture)/")
 compile_lightly(thermal "/thermal/(weather|weather_file)/")
 compile_lightly(render "/render/(detection|instrument|picture)/")
-compile_lightly(scenes "/scenes/(cache|input|keys|labels|plan|report|studies|sweep|warnings)/|/generated/")
+compile_lightly(scenes "/scenes/(app|charts|products|studies)/|/scenes/job/(input|plan|store|warnings)/|/generated/")
 
 file(GLOB python_sources CONFIGURE_DEPENDS python/src/*.cpp)
 pybind11_add_module(_core MODULE NO_EXTRAS ${python_sources})

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "terrain/visibility/view_factors.hpp"
+#include "thermal/point/run_column.hpp"
 #include "thermal/solve/facet_point.hpp"
 #include "thermal/solve/solver.hpp"
 
@@ -27,7 +28,7 @@ Weather polar_night() {
     return weather;
 }
 
-SolveResult solve_plate(double step) {
+Material slab() {
     Material plate;
     plate.name = "slab";
     plate.thermal.albedo = 0.3;
@@ -36,7 +37,11 @@ SolveResult solve_plate(double step) {
     plate.thermal.roughness_length = 0.01;
     plate.thermal.heat_roughness_length = 0.001;
     plate.thermal.store = {.capacity_mm = 0.5};
-    const MaterialLibrary materials({plate});
+    return plate;
+}
+
+SolveResult solve_plate(double step) {
+    const MaterialLibrary materials({slab()});
     FacetSet facets;
     append_facets(facets, std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                   std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}},
@@ -81,28 +86,56 @@ TEST_CASE("hoar that grows from day to day leaves temperatures a repeated day",
     CHECK(std::abs(kelvin.front() - kelvin.back()) < 90.0 * report.store_growth / 200.0 / 0.10);
 }
 
+TEST_CASE("a column under hoar that grows from day to day begins after eight days of it",
+          "[thermal][point][frost]") {
+    PointJob job;
+    job.surface = slab().thermal;
+    job.weather = polar_night();
+    job.site = {.latitude_deg = 75.0, .longitude_deg = 20.0, .height = 1500.0};
+    job.start = january_first;
+    job.end = later(january_first, 86400.0);
+    job.step = 600.0;
+    job.spin_up = SpinUp::periodic;
+    const PointResult result = run_column(job);
+    CAPTURE(result.passes, result.periodic_residual, result.periodic_error);
+    CHECK(result.converged);
+    CHECK(result.store_held);
+    CHECK(result.periodic_error <= job.tolerance);
+    // The hoar of a day is the day's latent heat over that of sublimation, 2.836 MJ/kg at -15 C
+    // (Murphy & Koop 2005, eq. 5); it has stood eight times as long at the start.
+    double latent = 0.0;  // [J m-2]
+    for (std::size_t i = 1; i < result.row.size(); ++i) {
+        latent += 0.5 * job.step * (result.row[i - 1].latent + result.row[i].latent);
+    }
+    const double grown = result.row.back().frost_mm - result.row.front().frost_mm;
+    CHECK(grown == Approx(latent / 2.836e6).epsilon(0.005));
+    CHECK(result.row.front().frost_mm == Approx(8.0 * grown).epsilon(0.05));
+    // Below the hoar the day repeats.
+    CHECK(result.final_profile.back() == Approx(result.row.front().back_temperature).margin(2e-3));
+}
+
 TEST_CASE("a store is held once eight days have not settled it", "[thermal][solve][frost]") {
     FacetPoint point{.facet = 0, .block = 0, .lane = 0, .start = {}, .end = {}};
     Standing before, after;
     for (point.passes = 1; point.passes <= 8; ++point.passes) {
         before = after;
         after.frost += 0.1;
-        CHECK_FALSE(next_store(point, before, after));
+        CHECK_FALSE(point.store.next(point.passes, before, after));
     }
-    CHECK(point.store_held);
+    CHECK(point.store.held);
     const Standing start = after;
     after.frost += 0.1;
-    CHECK(next_store(point, start, after));
+    CHECK(point.store.next(point.passes, start, after));
     CHECK(after.frost == start.frost);
-    CHECK(point.store_growth == Approx(0.1));
+    CHECK(point.store.growth == Approx(0.1));
 }
 
 TEST_CASE("a store that dries every day is settled at once", "[thermal][solve][frost]") {
     FacetPoint point{.facet = 0, .block = 0, .lane = 0, .start = {}, .end = {}};
     point.passes = 20;
     Standing after{.water = 5e-4};
-    CHECK(next_store(point, {}, after));
-    CHECK_FALSE(point.store_held);
+    CHECK(point.store.next(point.passes, {}, after));
+    CHECK_FALSE(point.store.held);
 }
 
 TEST_CASE("days are averaged where 24 passes have not brought them nearer", "[thermal][solve]") {

@@ -160,10 +160,12 @@ PointResult run_column(const PointJob& job) {
         const Instant end =
             job.spin_up == SpinUp::periodic ? job.end : std::min(job.end, day_later);
         const SpunUp spun = spin_up(
-            facet, job.surface, job.start, end,
+            facet, job.surface, job.start, end, job.tolerance,
             [&](const ThermalSurface& surface) { return facet_of(surface, weather_before); });
         result.passes = spun.passes;
         result.periodic_residual = spun.residual;
+        result.periodic_error = spun.error;
+        result.store_held = spun.store_held;
         result.standing_residual = spun.standing_residual;
         result.converged = spun.converged;
     }

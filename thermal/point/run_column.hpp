@@ -27,11 +27,13 @@ struct PointResult {
     std::vector<PointRow> row;  // at start, start + step, ... end
     WaterCount water;           // over the span, without spin-up
     bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
-    std::string note;                   // quantities modelled because not measured
-    int passes = 0;                     // of the spin-up
-    double periodic_residual = 0.0;     // [K] worst node after a pass of it
-    double standing_residual = 0.0;     // [mm] of water and frost, the same
-    bool converged = true;              // both within their tolerances
+    std::string note;                // quantities modelled because not measured
+    int passes = 0;                  // of the spin-up
+    double periodic_residual = 0.0;  // [K] worst node after a pass of it
+    double periodic_error = 0.0;     // [K] distance from the period, worst node
+    double standing_residual = 0.0;  // [mm] of water and frost: change over the last pass
+    bool store_held = false;  // no day repeats these: the start is that after eight such days
+    bool converged = true;    // temperatures repeat, to within PointJob::tolerance
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
     long long steps = 0, rejected = 0;
     /// Steps with backward Euler at the shortest step, because the equations did not converge or

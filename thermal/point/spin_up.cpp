@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thermal/point/store_start.hpp"
+
 namespace diurna {
 
 namespace {
@@ -10,11 +12,12 @@ namespace {
 /// Finds the state that a span of steps leads back to itself, by Newton on the periodic map. The
 /// first pass chooses the steps, the others repeat them; what stands on the surface follows from
 /// pass to pass.
-SpunUp make_periodic(PointFacet& facet, Instant from, Instant to) {
+SpunUp make_periodic(PointFacet& facet, Instant from, Instant to, double tolerance) {
     constexpr int most_passes = 30;
     const auto n = static_cast<Eigen::Index>(facet.u.size());
     std::vector<double> steps;
     SpunUp spun;
+    StoreStart store;
     double before = 1e9;
     bool plain = false;
     while (spun.passes < most_passes) {
@@ -29,16 +32,18 @@ SpunUp make_periodic(PointFacet& facet, Instant from, Instant to) {
             facet.repeat(from, steps, map);
         }
         spun.residual = facet.change_since(start);
-        spun.standing_residual = apart(facet.standing, standing);
-        spun.converged =
-            spun.residual <= periodic_tolerance && spun.standing_residual <= standing_tolerance;
+        const bool store_settled = store.next(spun.passes, standing, facet.standing);
+        spun.standing_residual = store.growth;
+        spun.store_held = store.held;
+        spun.converged = spun.residual <= periodic_tolerance && store_settled;
         if (spun.converged) break;
         // Where a front of freezing passes other nodes than it did, the map before misleads: a
         // plain pass brings it closer.
         const bool astray = spun.residual > 0.5 * before && !plain;
         plain = astray && !facet.column.linear();
         before = spun.residual;
-        if (!plain) facet.close_period(start, map);
+        spun.error = plain ? spun.residual : facet.close_period(start, map);
+        spun.converged = !plain && spun.error <= tolerance && store_settled;
     }
     return spun;
 }
@@ -64,17 +69,17 @@ void take_temperatures(const PointFacet& other, PointFacet& facet) {
 }  // namespace
 
 SpunUp spin_up(PointFacet& facet, const ThermalSurface& surface, Instant from, Instant to,
-               const std::function<PointFacet(const ThermalSurface&)>& facet_of) {
+               double tolerance, const std::function<PointFacet(const ThermalSurface&)>& facet_of) {
     int passes = 0;
     if (ThermalSurface plain = surface; forget_freezing(plain)) {
         PointFacet first = facet_of(plain);
         take_temperatures(facet, first);
-        passes = make_periodic(first, from, to).passes;
+        passes = make_periodic(first, from, to, tolerance).passes;
         take_temperatures(first, facet);
     }
     PointFacet settled = facet_of(surface);
     settled.u = facet.u;
-    SpunUp spun = make_periodic(settled, from, to);
+    SpunUp spun = make_periodic(settled, from, to, tolerance);
     facet.go_on_from(settled);
     spun.passes += passes;
     return spun;

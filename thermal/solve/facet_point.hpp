@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "thermal/point/point_facet.hpp"
+#include "thermal/point/store_start.hpp"
 #include "thermal/solve/heat_state.hpp"
 #include "thermal/solve/solve_state.hpp"
 #include "thermal/surface/surface_cover.hpp"
@@ -22,31 +23,10 @@ struct FacetPoint {
     int passes = 0;
     PointFacet::Count count{};
     double water_closure = 0.0;     // [kg m⁻²] of the last run
-    bool store_held = false;        // the store at the start is no longer the end's
-    double store_growth = 0.0;      // [mm] change of the store over the last pass
+    StoreStart store{};             // water and snow at the start of a periodic span
     bool alternates = false;        // passes are averaged: no start repeats
     double earlier_residual = 1e9;  // [K] at the end of the previous run of passes
 };
-
-/// Water and snow on a facet at the start of the next pass of a periodic span: those at the end of
-/// the pass before. If hoar or snow grows or melts from day to day, no periodic day exists, and the
-/// amount after `most_store_days` days is fixed as the start; temperatures then have a period.
-///
-/// stood    amount at the start of the last pass
-/// left     amount at its end; becomes the next start
-/// returns  whether the store at the start has converged
-inline bool next_store(FacetPoint& p, const Standing& stood, Standing& left) {
-    constexpr int most_store_days = 8;
-    constexpr double settled = 1e-3;  // [mm]
-    p.store_growth = apart(left, stood);
-    if (p.store_held) {
-        left = stood;
-        return true;
-    }
-    if (p.store_growth <= settled) return true;
-    p.store_held = p.passes >= most_store_days;
-    return false;
-}
 
 /// After a run of passes without a periodic day: whether passes are averaged from now on. In calm
 /// nights a surface may have two balances, and if the previous day decides between them, days

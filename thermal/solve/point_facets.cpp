@@ -260,7 +260,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         for (std::size_t i = 0; p.alternates && i < start.size(); ++i) {
             facet.u[i] = 0.5 * (start[i] + facet.u[i]);
         }
-        const bool store_settled = next_store(p, stood, facet.standing);
+        const bool store_settled = p.store.next(p.passes, stood, facet.standing);
         closed = p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
         if (closed) break;
     }
@@ -359,8 +359,8 @@ PointFacets::Summary PointFacets::summary() const {
             s.residual = std::max(s.residual, p.residual);
             s.largest_move = std::max(s.largest_move, p.move);
         }
-        s.stores_held += p.store_held ? 1 : 0;
-        if (p.store_held) s.store_growth = std::max(s.store_growth, p.store_growth);
+        s.stores_held += p.store.held ? 1 : 0;
+        if (p.store.held) s.store_growth = std::max(s.store_growth, p.store.growth);
         s.worst_closure = std::max(s.worst_closure, p.count.worst_closure);
         s.worst_passes = std::max(s.worst_passes, p.passes);
         s.limited += p.count.limited;

@@ -274,7 +274,7 @@ class GroupRun {
         for (Eigen::Index i = 0; i < n; ++i) batch_.u[std::size_t(i) * W + l] = next[i];
         p.residual = lane.search.residual;
         p.move = lane.search.move;
-        const bool store_settled = next_store(p, lane.stood, batch_.standing[l]);
+        const bool store_settled = p.store.next(p.passes, lane.stood, batch_.standing[l]);
         return p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
     }
 

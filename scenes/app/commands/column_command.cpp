@@ -60,14 +60,20 @@ void column_verb(const ColumnArguments& a) {
                    number_of(result.row.size(), "row"), number_of(result.passes, "pass", "passes"),
                    result.periodic_residual, result.worst_energy_closure);
     }
+    if (result.store_held) {
+        fmt::print(
+            stderr,
+            "note: water, hoar or snow changes by {:.2g} mm from day to day: the start is the "
+            "state after eight such days\n",
+            result.standing_residual);
+    }
     if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     if (result.converged) return;
     throw std::runtime_error(fmt::format(
-        "the spin-up has not converged in {} passes: periodic to {:.1e} K (limit {:.0e} K), water "
-        "on the surface periodic to {:.1e} mm (limit {:.0e} mm); reduce time.longest_step_s, or "
-        "set time.spin_up = \"none\" with an earlier time.start",
-        result.passes, result.periodic_residual, periodic_tolerance, result.standing_residual,
-        standing_tolerance));
+        "the spin-up has not converged in {} passes: error {:.1e} K (limit {:.0e} K, "
+        "time.tolerance_K), water on the surface changes by {:.1e} mm a day; reduce "
+        "time.longest_step_s, or set time.spin_up = \"none\" with an earlier time.start",
+        result.passes, result.periodic_error, job.tolerance, result.standing_residual));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "scenes/job/warnings/scene_warnings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -197,4 +199,35 @@ TEST_CASE("mistyped names are reported with the nearest name", "[scenes][warning
     // Band names in any case, in the words that files have.
     CHECK(scene_of(with(base, "[\"3-5\", \"8-12\"]", "[\"LWIR\", \"Mwir\"]")).observers[0].bands ==
           std::vector<std::string>{"lwir", "mwir"});
+}
+
+TEST_CASE("weather of minutes under steps of 20 minutes raises a warning with what is missed",
+          "[scenes][warnings]") {
+    // Sun of 800 and 200 W/m2 for four minutes each: steps meet both by turns, and the straight
+    // line between them is 500 +- 300 t. Rows are +- 300 about 500, whatever the line: the rms of
+    // the difference is sqrt(300^2 + 300^2 / 3) = 346 W/m2.
+    std::string rows =
+        "time,air_temperature_K,relative_humidity,wind_speed_m_s,shortwave_down_W_m2\n";
+    for (int minute = 0; minute <= 1440; ++minute) {
+        rows += fmt::format("2026-07-{:02}T{:02}:{:02}:00-04:00,295,0.5,2,{}\n", 15 + minute / 1440,
+                            minute / 60 % 24, minute % 60,
+                            minute < 540 || minute > 1020 ? 0 : (minute / 4 % 2 ? 800 : 200));
+    }
+    write_text(folder().path / "minutes.csv", rows);
+    const std::string scene =
+        with(small_scene(), std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv",
+             "minutes.csv");
+    const auto of_step = [](const std::vector<std::string>& lines) {
+        for (const std::string& line : lines) {
+            if (line.find("time.step_s: ") != std::string::npos) return line;
+        }
+        return std::string();
+    };
+    const std::string line = of_step(warnings_of(scene));
+    CAPTURE(line);
+    REQUIRE(line.find("a row every 60 s, the heat balance a step every 1200 s") !=
+            std::string::npos);
+    CHECK(std::stod(line.substr(line.find("differs by ") + 11)) == Approx(346.0).epsilon(0.1));
+    CHECK(line.find("set time.step_s = 60") != std::string::npos);
+    CHECK(of_step(warnings_of(with(scene, "step_s = 1200.0", "step_s = 60.0"))).empty());
 }

@@ -191,3 +191,34 @@ TEST_CASE("values that cannot occur at the ground raise warnings", "[thermal][we
         CHECK(warnings_of(sky, site).empty() == fine);
     }
 }
+
+TEST_CASE("a mean pressure of another height raises a warning with that height",
+          "[thermal][weather]") {
+    // ICAO's standard atmosphere has 834.3 hPa at 1600 m, 968.4 at 381 m.
+    Weather weather;
+    weather.height = 381.0;
+    const Instant begin = parse_instant("2026-07-15T00:00:00Z");
+    for (int h = 0; h <= 24; ++h) {
+        Forcing f;
+        f.air = {.temperature = 290.0, .pressure = 83600.0, .vapour_pressure = 900.0};
+        weather.instant.push_back(later(begin, 3600.0 * h));
+        weather.sample.push_back(f);
+    }
+    const Site site{.latitude_deg = 34.0, .longitude_deg = -118.0, .height = 381.0};
+    const auto lines = [&] {
+        std::string all;
+        for (const Mistake& warning :
+             weather_warnings(weather, site, begin, later(begin, 86400.0), "weather.file")) {
+            all += warning.line() + "\n";
+        }
+        return all;
+    };
+    CHECK(lines().find("836 hPa is that of about 1600 m above the sea, but the station counts as "
+                       "at 381 m") != std::string::npos);
+    weather.height = 1600.0;
+    CHECK(lines().empty());
+    // A deep low at the sea, 955 hPa on the mean of a day, is weather.
+    weather.height = 0.0;
+    for (Forcing& f : weather.sample) f.air.pressure = 95500.0;
+    CHECK(lines().empty());
+}

@@ -79,6 +79,32 @@ HighestSun highest_sun(const Site& site, Instant middle, double span) {
 
 bool within(Instant when, Instant begin, Instant end) { return when >= begin && when <= end; }
 
+/// Height at which the standard atmosphere has a pressure [m].
+double height_of(double pressure) {
+    double low = -500.0, high = 11000.0;
+    while (high - low > 1.0) {
+        const double middle = 0.5 * (low + high);
+        (standard_pressure(middle) > pressure ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// A mean pressure that weather does not explain: at one place a day's mean is within 6 % of the
+/// standard atmosphere's, on all but a few days (at the sea 950 to 1060 hPa).
+void warn_of_height(const Weather& weather, double mean, const std::string& where,
+                    std::vector<Mistake>& warnings) {
+    const double share = mean / standard_pressure(weather.height);
+    if (share > 0.935 && share < 1.05) return;
+    warnings.push_back(
+        {where,
+         fmt::format("its mean pressure of {:.0f} hPa is that of about {:.0f} m above the sea, but "
+                     "the station counts as at {:.0f} m",
+                     0.01 * mean, 50.0 * std::round(height_of(mean) / 50.0), weather.height),
+         weather.carried ? "set weather.height_m to the station's height (without it, the height "
+                           "of the file or of the site counts)"
+                         : "check site.elevation_m"});
+}
+
 void warn_of_states(const Weather& weather, Instant begin, Instant end, const std::string& where,
                     std::vector<Mistake>& warnings) {
     WarningKind air{other_unit(
@@ -97,7 +123,8 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
                           "(terrain.height_unit = \"ft\")"
                         : "check site.elevation_m");
     WarningKind pressure{weight};
-    double most_humid = -1.0;
+    double most_humid = -1.0, pressure_sum = 0.0;
+    int states = 0;
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
         if (!within(when, begin, end)) continue;
@@ -105,6 +132,8 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
         air.look(f.air.temperature, 183.9, 329.9, when, "air_temperature_K");
         const double usual = standard_pressure(weather.height);
         pressure.look(f.air.pressure, 0.85 * usual, 1.075 * usual, when, "pressure_Pa");
+        pressure_sum += f.air.pressure;
+        ++states;
         wind.look(f.wind_speed, 0.0, 60.0, when, "wind_speed_m_s");
         rain.look(f.rain_mm_h, 0.0, 305.0, when, "rain_mm_h");
         sky.look(f.longwave_down, 40.0, 700.0, when, "longwave_down_W_m2");
@@ -112,6 +141,9 @@ void warn_of_states(const Weather& weather, Instant begin, Instant end, const st
         over_air.look(f.longwave_down, 0.4 * black, black + 25.0, when, "longwave_down_W_m2");
         most_humid = std::max(
             most_humid, f.air.vapour_pressure / saturation_vapour_pressure(f.air.temperature));
+    }
+    if (pressure.count == 0 && states > 0) {
+        warn_of_height(weather, pressure_sum / states, where, warnings);
     }
     for (const WarningKind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, warnings);
     if (sky.count == 0 && air.count == 0) over_air.tell(where, warnings);

@@ -16,7 +16,8 @@ namespace diurna {
 /// - air: outside the records at the ground, 183.9 K (Vostok 1983) to 329.9 K (Furnace
 ///   Creek 1913); wind over 60 m/s; rain over 305 mm/h (Holt 1947; all from WMO's archive of
 ///   extremes); humidity below 3 % throughout; pressure under 0.85 or over 1.075 of the standard
-///   atmosphere's at the station (WMO: at the sea 870 hPa in Tip 1979, 1083.8 at Agata 1968)
+///   atmosphere's at the station (WMO: at the sea 870 hPa in Tip 1979, 1083.8 at Agata 1968), or
+///   its mean under 0.935 or over 1.05 of it: the station is at another height
 /// - radiation: outside the physically possible limits of BSRN (Long & Dutton 2002): with the
 ///   sun's flux S at its distance and the sine s of its elevation, global 1.5 S s^1.2 + 100,
 ///   diffuse 0.95 S s^1.2 + 50, reflected 1.2 S s^1.2 + 50, direct S, longwave 40 to 700 W m⁻² and

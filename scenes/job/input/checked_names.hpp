@@ -32,8 +32,8 @@ struct Reading {
                  const std::string& on) const;
 };
 
-/// The keys `class` and `labelled`: an object's class in labels (scenes/products/labels), "" without
-/// labels.
+/// The keys `class` and `labelled`: an object's class in labels (scenes/products/labels), ""
+/// without labels.
 std::string class_of(const Section& section, const Or<std::string>& fallback);
 
 }  // namespace diurna

@@ -7,7 +7,7 @@ namespace diurna {
 std::vector<Mistake> scene_warnings(const Prepared& prepared) {
     std::vector<Mistake> all = prepared.warnings;
     for (auto of : {place_warnings, shape_warnings, land_cover_warnings, object_warnings,
-                    stand_warnings, view_warnings, clock_warnings, light_warnings}) {
+                    stand_warnings, view_warnings, clock_warnings, light_warnings, step_warnings}) {
         for (Mistake& warning : of(prepared)) all.push_back(std::move(warning));
     }
     return all;

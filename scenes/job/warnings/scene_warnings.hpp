@@ -47,6 +47,10 @@ std::vector<Mistake> clock_warnings(const Prepared& prepared);
 /// Keys of [sky] that the scene's air replaces, and light on a tilted plane in the weather file.
 std::vector<Mistake> light_warnings(const Prepared& prepared);
 
+/// Steps that are longer than the weather's rows, where sunlight changes between the steps by more
+/// than 25 W/m² rms: clouds of minutes.
+std::vector<Mistake> step_warnings(const Prepared& prepared);
+
 /// "scene.toml: object.truck: stands inside ... (move ...)", each once.
 std::vector<std::string> as_lines(const std::vector<Mistake>& warnings);
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/store/digest.hpp"
 
 namespace diurna {
 
@@ -30,8 +33,16 @@ void check_asked(const StudyRequest& request, const Scene& scene, const char* ki
 
 void write_findings(const StudyRequest& request, const StudyFindings& findings) {
     if (request.out.empty()) return;
+    using OrderedJson = nlohmann::ordered_json;
+    const OrderedJson made_from{{"scene", request.scene.filename().string()},
+                                {"settings", request.settings},
+                                {"heat_sha256", sha256(request.read().said_but_for_pictures)}};
     for (const StudyFinding& one : findings.finding) {
-        write_study_files(request.out, one.name, one.texts);
+        StudyTexts texts = one.texts;
+        OrderedJson json = OrderedJson::parse(texts.json);
+        json["made_from"] = made_from;
+        texts.json = json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+        write_study_files(request.out, one.name, texts);
     }
 }
 

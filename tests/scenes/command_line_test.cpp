@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/support/folder_contents.hpp"
@@ -322,5 +323,9 @@ object = "hangar"
         CHECK(one.size() == 3);
         CHECK(one.count("hangar.csv") + one.count("hangar.json") + one.count("hangar.svg") == 3);
         CHECK(one == ran_on(2));
+        const auto from = nlohmann::json::parse(one.at("hangar.json")).at("made_from");
+        CHECK(from.at("scene") == "scene.toml");
+        CHECK(from.at("settings").empty());
+        CHECK(from.at("heat_sha256").get<std::string>().size() == 64);
     }
 }

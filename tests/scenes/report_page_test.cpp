@@ -48,7 +48,8 @@ void leave_studies(const fs::path& out) {
  "warmer_after": "meadow", "sigma_s": 924.0, "least_K": 0.0}]}]})");
     fs::create_directories(out / "contrast");
     write_text(out / "contrast/broken.json", "{\"study\": \"contrast\", ");
-    write_text(out / "odd.json", R"({"study": "oddity", "name": "odd"})");
+    write_text(out / "odd.json", R"({"study": "oddity", "name": "odd", "made_from": {"scene":
+ "other.toml", "settings": ["time.spin_up=steady"], "heat_sha256": "0"}})");
     for (const char* name : {"pond.svg", "contrast/broken.svg", "odd.svg"}) {
         write_text(out / name, plot);
     }
@@ -242,6 +243,8 @@ TEST_CASE("a page has all sections, studies left in its folder too", "[scenes][r
                     "of 24</td>") != std::string::npos);
     CHECK(text.find("contrast/broken.json is not shown: ") != std::string::npos);
     CHECK(text.find("<h3>oddity odd</h3>") != std::string::npos);
+    CHECK(text.find("<b>Not of this run</b>: computed from other.toml with time.spin_up=steady") !=
+          std::string::npos);
     CHECK(text.find("<script>window") == std::string::npos);
     // What a run was made of, with what it held.
     const std::string scene = read_text(page().parent_path().parent_path() / "scene.toml");

@@ -106,6 +106,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/studies/detection_files.cpp",
       "scenes/studies/sensitivity_files.cpp",
       "scenes/studies/signature_files.cpp",
+      "scenes/studies/study_request.cpp",
       "materials/modtran/modtran6.cpp",
       "materials/modtran/deck.cpp",
       "terrain/objects/gltf_json.hpp"}},

@@ -8,6 +8,7 @@
 #include "scenes/charts/clock_names.hpp"
 #include "scenes/charts/html.hpp"
 #include "scenes/job/input/bands.hpp"
+#include "scenes/job/store/digest.hpp"
 #include "scenes/products/report/contact_sheet.hpp"
 #include "scenes/products/report/courses.hpp"
 #include "scenes/products/report/heat_terms.hpp"
@@ -82,7 +83,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         {"pictures", "Pictures", "<h2>Pictures</h2>\n" + pictures(folder, prepared)},
         {"courses", "Temperatures", courses(prepared, field)},
         {"heat", "Heat balance", heat_terms_of_day(folder, prepared, field)},
-        {"studies", "Studies", study_plots(folder)},
+        {"studies", "Studies", study_plots(folder, sha256(prepared.scene.said_but_for_pictures))},
         {"errors", "Errors", "<h2>Known errors</h2>\n" + errors_table(prepared, report)},
         {"time", "Time", "<h2>Time of this run</h2>\n" + timings_table(report)},
         {"plan", "Plan", "<h2>Plan: computed and skipped</h2>\n" + decisions_table(report.plan)},

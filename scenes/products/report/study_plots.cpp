@@ -143,8 +143,21 @@ std::string plot(const std::string& drawing, const std::string& says) {
                             base64(std::as_bytes(std::span(drawing)))));
 }
 
+/// A line for a study of another scene, or of other settings, than the run's; else "".
+std::string made_from_another(const OrderedJson& study, const std::string& heat_sha256) {
+    const OrderedJson from = study.value("made_from", OrderedJson::object());
+    if (from.value("heat_sha256", "") == heat_sha256) return "";
+    std::string settings;
+    for (const OrderedJson& one : from.value("settings", OrderedJson::array())) {
+        settings += (settings.empty() ? " with " : ", ") + escaped(one.get<std::string>());
+    }
+    return fmt::format(
+        "<p><b>Not of this run</b>: computed from {}{}, whose heat balance has other inputs.</p>\n",
+        escaped(from.value("scene", "an unknown scene")), settings);
+}
+
 /// One study, of NAME.json and NAME.svg; "" where these are none.
-std::string study_of(const fs::path& json) {
+std::string study_of(const fs::path& json, const std::string& heat_sha256) {
     fs::path drawing = json;
     drawing.replace_extension(".svg");
     if (!fs::is_regular_file(drawing)) return "";
@@ -157,13 +170,14 @@ std::string study_of(const fs::path& json) {
         out += fmt::format("<p>{} and {}, seen by {}</p>\n", reported(study, "first"),
                            reported(study, "second"), reported(study, "observer"));
     }
+    out += made_from_another(study, heat_sha256);
     if (study.contains("object")) out += "<p>" + reported(study, "object") + "</p>\n";
     return out + plot(read_text(drawing, largest), says) + answers(study);
 }
 
 }  // namespace
 
-std::string study_plots(const fs::path& folder) {
+std::string study_plots(const fs::path& folder, const std::string& heat_sha256) {
     std::vector<fs::path> found;
     for (const char* inner :
          {"", "crossover", "contrast", "signature", "detection", "sensitivity", "calibrate"}) {
@@ -176,7 +190,7 @@ std::string study_plots(const fs::path& folder) {
     std::string out;
     for (const fs::path& json : found) {
         try {
-            out += study_of(json);
+            out += study_of(json, heat_sha256);
         } catch (const std::exception& error) {  // not JSON, of another form, too large
             out += fmt::format("<p>{} is not shown: {}</p>\n",
                                escaped(json.lexically_relative(folder).string()),

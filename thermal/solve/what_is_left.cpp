@@ -52,7 +52,9 @@ std::string furthest_facets(const SolveState& solve, const PointFacets& points,
 std::string what_is_left(const SolveState& solve, const PointFacets& points,
                          const NetworkFacets& targets, const SolveReport& report) {
     const SolveOptions& options = solve.options;
-    std::string line = fmt::format("pass {}", report.passes);
+    // Without a periodic part, or after it, the span itself is solved.
+    std::string line = fmt::format(
+        "{}pass {}", options.periodic ? "repeated day, " : "whole span, ", report.passes);
     if (options.periodic) {
         line += fmt::format(": residual {:.1e} K (limit {:.0e} K)", report.periodic_residual,
                             options.tolerance);

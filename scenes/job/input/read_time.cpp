@@ -82,7 +82,9 @@ TimeInput read_time(const Section& section, const std::optional<Site>& site) {
         }
     }
     time.step = section.number_or(
-        "step_s", "step of the heat balance, rounded so that a whole number of steps fills a day",
+        "step_s",
+        "step of the heat balance, rounded so that a whole number of steps fills a day; weather "
+        "between two steps is not used, so under clouds of minutes as short as the weather's rows",
         600.0, {1.0, 3600.0});
     read_spin_up(section, time);
     time.days_before = section.integer_or(

@@ -47,7 +47,7 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         FoundHeat found = heat_of(*bytes);
         const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
         if (auto field = at_instants(wanted, std::move(found.temperature))) {
-            store->note_taken(stage);
+            store->note_taken(stage, key);
             HeatReport report = heat_report_of(found.reported);
             drop_check_of_others(prepared.scene, report);
             return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},

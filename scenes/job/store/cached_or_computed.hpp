@@ -21,7 +21,7 @@ T cached_or_computed(const StageStore* store, std::string_view stage, const Key&
     if (store == nullptr) return find();
     const std::string name = key();
     if (const std::optional<std::string> kept = store->find(stage, name)) {
-        store->note_taken(stage);
+        store->note_taken(stage, name);
         return read(*kept);
     }
     const auto begun = std::chrono::steady_clock::now();

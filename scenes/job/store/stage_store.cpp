@@ -68,8 +68,9 @@ std::optional<std::string> StageStore::find(std::string_view stage, const std::s
     return content;
 }
 
-void StageStore::note_taken(std::string_view stage) const {
+void StageStore::note_taken(std::string_view stage, const std::string& key) const {
     const std::lock_guard lock(telling_);
+    if (std::find(own_.begin(), own_.end(), file(stage, key).string()) != own_.end()) return;
     if (std::find(taken_.begin(), taken_.end(), stage) == taken_.end()) taken_.emplace_back(stage);
 }
 
@@ -85,6 +86,10 @@ void StageStore::keep(std::string_view stage, const std::string& key,
         whole.write(std::as_bytes(std::span(header)));
         whole.write(std::as_bytes(std::span(content)));
         whole.rename();
+        {
+            const std::lock_guard lock(telling_);
+            own_.push_back(file(stage, key).string());
+        }
         make_room();
     } catch (const std::exception&) {
         // A full disk, a folder of somebody else's: the run goes on without.

@@ -38,8 +38,8 @@ class StageStore {
     /// Stores it. Never throws: a result that cannot be stored is recomputed next time.
     void keep(std::string_view stage, const std::string& key, std::string_view content) const;
 
-    /// Records that a result of find() was used.
-    void note_taken(std::string_view stage) const;
+    /// Records that a result of find() was used, unless it was stored by this run itself.
+    void note_taken(std::string_view stage, const std::string& key) const;
     /// The stages recorded, in that order, each once.
     std::vector<std::string> taken() const;
     const std::filesystem::path& folder() const { return folder_; }
@@ -51,7 +51,7 @@ class StageStore {
     std::filesystem::path folder_;
     Limits limits_;
     mutable std::mutex telling_;
-    mutable std::vector<std::string> taken_;
+    mutable std::vector<std::string> taken_, own_;  // stages; names of files stored by this run
 };
 
 /// Stages taken from the cache, in one line; "" if none, or without a cache.

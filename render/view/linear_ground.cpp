@@ -1,6 +1,7 @@
 #include "render/view/linear_ground.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -95,61 +96,156 @@ class Alike {
     std::vector<std::uint8_t> known_{};  // (facet) its share of the sun
 };
 
-FacetSlope slope_of(std::size_t f, const FacetSet& facets, const GroundAtVertex& at_vertex,
-                    const Alike& alike, std::span<const float> temperature) {
-    FacetSlope slope;
-    if (facets.normal[f].z() < steepest) return slope;
-    const auto& corner = facets.corner[f];
-    const auto has = [&](std::uint32_t other, std::size_t k) {
-        const auto& of = facets.corner[other];
-        return std::find(of.begin(), of.end(), corner[k]) != of.end();
-    };
-    const Eigen::Vector2f middle = facets.centroid[f].head<2>();
-    Eigen::Matrix2f spread = Eigen::Matrix2f::Zero();
-    Eigen::Vector2f rise = Eigen::Vector2f::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (const std::uint32_t other : at_vertex[corner[k]]) {
-            // Each once, though it may have two of these corners.
-            if (other == f || (k > 0 && has(other, 0)) || (k > 1 && has(other, 1))) continue;
+/// The ground around chosen facets, with its temperatures.
+struct Ground {
+    const FacetSet& facets;
+    const GroundAtVertex& at_vertex;
+    const Alike& alike;
+    std::span<const float> temperature;
+
+    /// Calls body(other, off, weight) for the facets at a corner that are alike to one of them;
+    /// off: of the centroid from the corner [m], weight 1/off².
+    template <class Body>
+    void each(std::size_t f, std::uint32_t corner, const Body& body) const {
+        const Eigen::Vector2d place = facets.vertex[corner].head<2>().cast<double>();
+        for (const std::uint32_t other : at_vertex[corner]) {
             if (!alike(f, other)) continue;
-            const Eigen::Vector2f to = facets.centroid[other].head<2>() - middle;
-            const float squared = to.squaredNorm();
-            if (!(squared > 0.0f)) continue;
-            const float kelvins = temperature[other] - temperature[f];
-            spread += to * to.transpose() / squared;
-            rise += to * (kelvins / squared);
-            slope.low = std::min(slope.low, kelvins);
-            slope.high = std::max(slope.high, kelvins);
+            const Eigen::Vector2d off = facets.centroid[other].head<2>().cast<double>() - place;
+            if (off.squaredNorm() > 0.0) body(other, off, 1.0 / off.squaredNorm());
         }
     }
-    const float half = 0.5f * spread.trace();
-    if (!(spread.determinant() > least_spread * half * half)) return slope;
-    const Eigen::Vector2f full = spread.inverse() * rise;
-    float share = 1.0f, most = 0.0f;
-    for (const std::uint32_t v : corner) {
-        const float kelvins = full.dot(facets.vertex[v].head<2>() - middle);
-        if (kelvins > slope.high) share = std::min(share, slope.high / kelvins);
-        if (kelvins < slope.low) share = std::min(share, slope.low / kelvins);
+
+    /// Temperature at a corner: of the plane that fits the facets around it best, within their
+    /// range [K].
+    double fitted(std::size_t f, std::uint32_t corner) const {
+        double weights = 0.0, sum = 0.0, low = 1e9, high = -1e9;
+        Eigen::Vector2d first = Eigen::Vector2d::Zero(), slope = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+        each(f, corner, [&](std::uint32_t other, const Eigen::Vector2d& off, double weight) {
+            const double kelvin = double{temperature[other]};
+            weights += weight;
+            sum += weight * kelvin;
+            first += weight * off;
+            slope += weight * kelvin * off;
+            second += weight * off * off.transpose();
+            low = std::min(low, kelvin);
+            high = std::max(high, kelvin);
+        });
+        if (weights == 0.0) return double{temperature[f]};
+        const double half = 0.5 * second.trace();
+        if (second.determinant() > least_spread * half * half) {
+            const Eigen::Vector2d across = second.ldlt().solve(first);
+            const double left = weights - across.dot(first);
+            if (left > least_spread * weights) {
+                return std::clamp((sum - across.dot(slope)) / left, low, high);
+            }
+        }
+        return sum / weights;
+    }
+
+    /// What the fits at its corners lack of a facet's temperature, on the mean [K].
+    double lacking(std::size_t f) const {
+        double sum = 0.0;
+        for (const std::uint32_t v : facets.corner[f]) sum += fitted(f, v);
+        return double{temperature[f]} - sum / 3.0;
+    }
+
+    /// The mean at a corner of what the fits lack of the facets around it: what curvature takes
+    /// from a fit, which is common to them, while chance mostly cancels [K].
+    double common(std::size_t f, std::uint32_t corner, std::span<const float> lacks) const {
+        double weights = 0.0, sum = 0.0;
+        each(f, corner, [&](std::uint32_t other, const Eigen::Vector2d&, double weight) {
+            weights += weight;
+            sum += weight * double{lacks[other]};
+        });
+        return weights > 0.0 ? sum / weights : 0.0;
+    }
+
+    /// Range of a facet and its neighbours, relative to it [K].
+    void set_range(std::size_t f, FacetSlope& slope) const {
+        for (const std::uint32_t v : facets.corner[f]) {
+            for (const std::uint32_t other : at_vertex[v]) {
+                if (!alike(f, other)) continue;
+                slope.low = std::min(slope.low, temperature[other] - temperature[f]);
+                slope.high = std::max(slope.high, temperature[other] - temperature[f]);
+            }
+        }
+    }
+};
+
+/// lacks  (facet) Ground::lacking, of this facet and its neighbours
+FacetSlope slope_of(std::size_t f, const Ground& ground, std::span<const float> lacks) {
+    const FacetSet& facets = ground.facets;
+    FacetSlope slope;
+    if (facets.normal[f].z() < steepest) return slope;
+    ground.set_range(f, slope);
+    if (slope.high - slope.low < least_kelvins) return slope;
+    const auto& corner = facets.corner[f];
+    std::array<Eigen::Vector2f, 3> off;
+    Eigen::Vector3f warmer;
+    for (std::size_t k = 0; k < 3; ++k) {
+        off[k] = (facets.vertex[corner[k]] - facets.centroid[f]).head<2>();
+        const double kelvin = ground.fitted(f, corner[k]) + ground.common(f, corner[k], lacks);
+        warmer[Eigen::Index(k)] =
+            std::clamp(float(kelvin - double{ground.temperature[f]}), slope.low, slope.high);
+    }
+    Eigen::Matrix2f sides;
+    sides << (off[1] - off[0]).transpose(), (off[2] - off[0]).transpose();
+    if (!(std::abs(sides.determinant()) > 0.0f)) return slope;
+    const Eigen::Vector2f full =
+        sides.inverse() * Eigen::Vector2f(warmer[1] - warmer[0], warmer[2] - warmer[0]);
+    const float by_chance = warmer.mean();
+    slope.offset =
+        by_chance * std::clamp(1.5f - 0.5f * std::abs(by_chance) / chance_difference, 0.0f, 1.0f);
+    float share = 1.0f, most = std::abs(slope.offset);
+    for (const Eigen::Vector2f& to : off) {
+        const float kelvins = full.dot(to);
+        if (slope.offset + kelvins > slope.high) {
+            share = std::min(share, (slope.high - slope.offset) / kelvins);
+        }
+        if (slope.offset + kelvins < slope.low) {
+            share = std::min(share, (slope.low - slope.offset) / kelvins);
+        }
         most = std::max(most, std::abs(kelvins));
     }
-    if (share * most < least_kelvins) return slope;
+    if (share * most < least_kelvins) return {.low = slope.low, .high = slope.high};
     slope.per_metre = share * full;
     return slope;
+}
+
+/// Facets and all ground with a common corner, ascending, each once.
+std::vector<FacetId> with_neighbours(std::span<const FacetId> chosen, const FacetSet& facets,
+                                     const GroundAtVertex& at_vertex) {
+    std::vector<FacetId> all(chosen.begin(), chosen.end());
+    for (const FacetId f : chosen) {
+        for (const std::uint32_t v : facets.corner[index(f)]) {
+            for (const std::uint32_t other : at_vertex[v]) all.push_back(FacetId{other});
+        }
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 }  // namespace
 
 std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const GroundHeat& heat) {
     const FacetSet& facets = heat.sun.facets;
-    const GroundAtVertex at_vertex(facets, chosen, {heat.ground_facets, heat.levels});
+    const GroundPlace is_ground{heat.ground_facets, heat.levels};
+    const std::vector<FacetId> around =
+        with_neighbours(chosen, facets, GroundAtVertex(facets, chosen, is_ground));
+    const GroundAtVertex at_vertex(facets, around, is_ground);
     const Alike alike(heat);
+    const Ground ground{facets, at_vertex, alike, heat.temperature};
+    std::vector<float> lacks(facets.size(), 0.0f);
+    for_each_index(
+        around.size(),
+        [&](std::size_t k) { lacks[index(around[k])] = float(ground.lacking(index(around[k]))); },
+        1024);
     std::vector<FacetSlope> slopes(chosen.size());
     for_each_index(
         chosen.size(),
-        [&](std::size_t k) {
-            slopes[k] = slope_of(index(chosen[k]), facets, at_vertex, alike, heat.temperature);
-        },
-        1024);
+        [&](std::size_t k) { slopes[k] = slope_of(index(chosen[k]), ground, lacks); }, 1024);
     return slopes;
 }
 
@@ -170,7 +266,7 @@ LinearGround linear_ground(const View& view, const Observer& observer, const Gro
     std::vector<const FacetSlope*> of_facet(facets.size(), nullptr);
     bool any = false;
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-        if (slopes[k].per_metre.isZero()) continue;
+        if (slopes[k].flat()) continue;
         of_facet[index(chosen[k])] = &slopes[k];
         any = true;
     }

@@ -12,17 +12,22 @@
 
 namespace diurna {
 
-/// Temperature within a facet: its mean at the centroid, and a slope in plan.
+/// Temperature within a facet, linear in plan, relative to the facet's own.
 struct FacetSlope {
     Eigen::Vector2f per_metre = Eigen::Vector2f::Zero();  // east, north [K m⁻¹]
-    float low = 0.0f, high = 0.0f;  // [K] relative to the mean: of it and its neighbours
+    float offset = 0.0f;                                  // [K] at the centroid
+    float low = 0.0f, high = 0.0f;                        // [K] of it and its neighbours
 
-    /// [K] above the mean at a place relative to the centroid (east, north [m]), within the
-    /// neighbours' range.
+    /// [K] at a place relative to the centroid (east, north [m]), within the neighbours' range.
     float at(const Eigen::Vector2f& off) const {
-        return std::min(std::max(per_metre.dot(off), low), high);
+        return std::min(std::max(offset + per_metre.dot(off), low), high);
     }
+    bool flat() const { return per_metre.isZero() && offset == 0.0f; }
 };
+
+/// [K] largest difference between a facet's temperature and the mean of its linear one that counts
+/// as chance (rays to sky and sun) and is levelled; beyond three times of it the mean is kept.
+inline constexpr float chance_difference = 0.15f;
 
 /// The ground whose temperatures are given, and the sun over it.
 struct GroundHeat {
@@ -35,20 +40,23 @@ struct GroundHeat {
     std::span<const FacetId> lit{};
 };
 
-/// Slopes of chosen facets of the ground: least squares through the means of the facet and of its
-/// neighbours with a common corner, weighted by 1/distance², limited so that no corner is colder or
-/// warmer than all of these (Barth & Jespersen 1989). The facet's mean is unchanged, and a
-/// temperature that is linear in place is reproduced, except at borders.
+/// Slopes of chosen facets of the ground: through the temperatures of their corners, each the value
+/// there of the plane that fits the facets around it best (least squares, weighted by 1/distance²),
+/// within their range. So the temperature has no step from facet to facet where it is smooth, what
+/// chance adds to single facets is averaged over those around a corner, and a temperature that is
+/// linear in place is reproduced, except at borders. A facet that differs from its corners by more
+/// than chance keeps its mean; its slope is then limited so that no corner is colder or warmer than
+/// all neighbours (Barth & Jespersen 1989).
 ///
 /// Neighbours are facets of the same material and object, in planes within 60°, and not across the
 /// edge of a shadow: shares of the sun's disc, times the smaller cosine of incidence, differ by
-/// less than 0.02. A facet with neighbours on one line only has no slope.
+/// less than 0.02.
 ///
 /// - chosen: steeper than 70° they have no slope
 /// - returns: (chosen)
 std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const GroundHeat& heat);
 
-/// Temperature of the ground where pixels see it, relative to the means of its facets.
+/// Temperature of the ground where pixels see it, relative to its facets' own.
 struct LinearGround {
     std::vector<float> warmer;         // (sighting) [K]; 0 for all else
     std::vector<float> warmer_centre;  // (pixel) [K] of the facet at its centre

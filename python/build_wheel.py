@@ -90,6 +90,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         _build(folder)
+        module = next((folder / "diurna").glob("_core*.so"))  # whether all that it needs is in it: else the first import fails
+        subprocess.run([sys.executable, "-c", "import ctypes, os, sys; ctypes.CDLL(sys.argv[1], mode=os.RTLD_NOW)", str(module)], check=True)
         files = {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
     for file in sorted(f for f in (here / "diurna").iterdir() if f.suffix in (".py", ".pyi", ".typed")):
         files[f"diurna/{file.name}"] = file.read_bytes()

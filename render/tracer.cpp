@@ -7,7 +7,7 @@
 #include "materials/base/error.hpp"
 #include "render/eye/apparent_temperature.hpp"
 #include "render/eye/eye_tables.hpp"
-#include "render/eye/linear_ground_sum.hpp"
+#include "render/eye/linear_facets_sum.hpp"
 #include "render/eye/pixel_sum.hpp"
 #include "render/eye/pixel_sun_sum.hpp"
 #include "render/eye/surface_planes.hpp"
@@ -50,7 +50,7 @@ void check_pixel_sun(const PixelSun& sun, const View& view) {
     }
 }
 
-void check_ground(const LinearGround& ground, const View& view) {
+void check_ground(const LinearFacets& ground, const View& view) {
     if (!ground.empty() && ground.warmer.size() != view.sighting.size()) {
         throw InputError("render", "the temperatures within facets belong to another view");
     }
@@ -179,7 +179,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
             add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
             add_pixel_heat(view, *options.pixel_sun, light, eye, planes);
         }
-        if (options.ground) add_linear_ground(view, *options.ground, light, eye, planes);
+        if (options.ground) add_linear_facets(view, *options.ground, light, eye, planes);
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.

@@ -8,7 +8,7 @@
 #include "render/picture/frame.hpp"
 #include "render/rays/plume.hpp"
 #include "render/rays/secondary_rays.hpp"
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 #include "render/view/observer.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
@@ -29,8 +29,8 @@ struct FrameOptions {
     const SecondaryRays* secondary_rays = nullptr;
     /// cast_pixel_sun() of the view and the instant: shadows by pixel, not by facet. Null: none.
     const PixelSun* pixel_sun = nullptr;
-    /// linear_ground() of the view and the instant: temperatures within facets. Null: their means.
-    const LinearGround* ground = nullptr;
+    /// linear_facets() of the view and the instant: temperatures within facets. Null: their means.
+    const LinearFacets* ground = nullptr;
     std::span<const Plume> plumes{};
 };
 

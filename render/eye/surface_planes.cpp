@@ -87,7 +87,7 @@ struct OwnState {
     std::vector<std::uint32_t> warm, place;  // sightings that are warmer; index of each in `warm`
 
     OwnState(const View& view, const RadianceInput& input, const PixelSun* pixels,
-             const LinearGround* ground)
+             const LinearFacets* ground)
         : sun(view.sighting.size(), 0.0f), warmer(sun), place(sun.size(), nothing_seen) {
         for (std::size_t s = 0; s < sun.size() && !input.sun_fraction.empty(); ++s) {
             sun[s] = input.sun_fraction[index(view.facet[view.sighting[s].target])];
@@ -228,7 +228,7 @@ class SurfaceLight {
 }  // namespace
 
 void add_surface_planes(const View& view, const SceneLight& light, const EyeTables& eye,
-                        const PixelSun* sun, const LinearGround* ground, std::size_t surfaces,
+                        const PixelSun* sun, const LinearFacets* ground, std::size_t surfaces,
                         Frame& frame) {
     assert(eye.columns_of_band() == term_count);
     const RadianceInput& input = light.input;

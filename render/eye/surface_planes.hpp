@@ -4,7 +4,7 @@
 
 #include "render/eye/eye_tables.hpp"
 #include "render/picture/frame.hpp"
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 #include "render/view/pixel_sun.hpp"
 
 namespace diurna {
@@ -37,7 +37,7 @@ namespace diurna {
 /// - eye: with a column for every term
 /// - sun, ground: null: every pixel has its facets' mean
 void add_surface_planes(const View& view, const SceneLight& light, const EyeTables& eye,
-                        const PixelSun* sun, const LinearGround* ground, std::size_t surfaces,
+                        const PixelSun* sun, const LinearFacets* ground, std::size_t surfaces,
                         Frame& frame);
 
 }  // namespace diurna

@@ -11,7 +11,7 @@ namespace {
 
 /// (pixel) [K] what its centre's facet is warmer there; empty: nothing anywhere.
 std::vector<float> warmer_centres(const View& view, const PixelSun* sun,
-                                  const LinearGround* ground) {
+                                  const LinearFacets* ground) {
     std::vector<float> warmer;
     if (ground != nullptr) warmer = ground->warmer_centre;
     if (sun == nullptr || sun->warmer.empty()) return warmer;
@@ -35,7 +35,7 @@ std::vector<float> warmer_centres(const View& view, const PixelSun* sun,
 }  // namespace
 
 void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun,
-               const LinearGround* ground, Frame& frame) {
+               const LinearFacets* ground, Frame& frame) {
     const std::vector<float> warmer = warmer_centres(view, sun, ground);
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     const FacetSet& facets = input.facets;

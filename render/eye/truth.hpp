@@ -2,7 +2,7 @@
 
 #include "render/light/radiance_input.hpp"
 #include "render/picture/frame.hpp"
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
 
@@ -14,6 +14,6 @@ namespace diurna {
 ///
 /// - sun, ground: temperature differences of pixels from their facets' mean; null: none
 void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun,
-               const LinearGround* ground, Frame& frame);
+               const LinearFacets* ground, Frame& frame);
 
 }  // namespace diurna

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double entropy_step = 0.1;  // [K]
-constexpr float whole = 0.999f;
+constexpr float whole_pixel = 0.999f;
 
 /// Where a target is in a picture, and what is around it.
 struct TargetPlace {
@@ -51,7 +51,7 @@ TargetPlace place_of(std::vector<float> cover, const std::vector<std::uint8_t>& 
     int left = width, right = -1, top = height, bottom = -1;
     for (std::size_t p = 0; p < size; ++p) {
         place.in[p] = place.cover[p] > 0.0f ? 1 : 0;
-        place.filled[p] = place.cover[p] >= whole ? 1 : 0;
+        place.filled[p] = place.cover[p] >= whole_pixel ? 1 : 0;
         if (place.in[p] == 0) continue;
         const int x = static_cast<int>(p) % width, y = static_cast<int>(p) / width;
         left = std::min(left, x);

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "materials/base/random.hpp"
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
@@ -57,13 +57,10 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
     std::vector<FacetId> of_point;
     for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
     const std::vector<FacetSlope> slope =
-        facet_slopes(of_point, {.sun = sun,
-                                .ground_facets = world.ground_facets,
-                                .levels = &levels,
-                                .temperature = temperature});
+        facet_slopes(of_point, {.sun = sun, .temperature = temperature});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const CheckPoint& point = points.point[k];
-        warmer[k] = slope[k].at((point.place - surfaces.centroid[point.surface]).head<2>());
+        warmer[k] = slope[k].at(point.place - surfaces.centroid[point.surface]);
     }
     if (fraction.empty()) return warmer;
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);

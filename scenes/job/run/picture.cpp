@@ -12,7 +12,7 @@
 
 #include "render/picture/cube.hpp"
 #include "render/tracer.hpp"
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/job/run/covered_surfaces.hpp"
@@ -128,11 +128,9 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     if (!light.moon) {
         set_pixel_heat(s.view, over, materials, temperature, s.sampling.texture_levels, pixel_sun);
     }
-    const LinearGround ground =
-        linear_ground(s.view, s.observer,
+    const LinearFacets ground =
+        linear_facets(s.view, s.observer,
                       {.sun = over,
-                       .ground_facets = world.ground_facets,
-                       .levels = s.sampling.texture_levels,
                        .temperature = temperature,
                        .lit = covered || measured ? std::span<const FacetId>() : s.lit.facet});
     Frame frame = render(s.view, s.observer, s.bands, now,

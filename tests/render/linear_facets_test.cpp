@@ -1,4 +1,4 @@
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -60,10 +60,8 @@ struct Field {
         const RayScene rays(facets);
         std::vector<FacetId> all;
         for (std::size_t f = 0; f < facets.size(); ++f) all.push_back(FacetId{std::uint32_t(f)});
-        return facet_slopes(all, {.sun = {rays, facets, fraction, to_sun},
-                                  .ground_facets = facets.size(),
-                                  .levels = nullptr,
-                                  .temperature = temperature});
+        return facet_slopes(all,
+                            {.sun = {rays, facets, fraction, to_sun}, .temperature = temperature});
     }
     /// (facet) [K] at the centroids
     template <class Law>
@@ -97,22 +95,20 @@ Observer camera() {
 /// Of a field as a camera sees it in 3-5 and 8-12 µm, without air and sky.
 struct Seen {
     View view;
-    LinearGround ground;
+    LinearFacets ground;
     Frame flat, linear;  // facets at their mean, and linear within them
 
     Seen(const Field& field, const std::vector<float>& temperature, const Observer& eye) {
         const RayScene rays(field.facets);
         view = cast_view(rays, field.facets, eye, {.samples = 16});
-        ground = linear_ground(view, eye,
+        ground = linear_facets(view, eye,
                                {.sun = {rays, field.facets, field.fraction, field.to_sun},
-                                .ground_facets = field.facets.size(),
-                                .levels = nullptr,
                                 .temperature = temperature});
         flat = picture(field, temperature, eye, nullptr);
         linear = picture(field, temperature, eye, &ground);
     }
     Frame picture(const Field& field, const std::vector<float>& temperature, const Observer& eye,
-                  const LinearGround* of) const {
+                  const LinearFacets* of) const {
         const Atmosphere none = Vacuum{.space_temperature = 3.0};
         FacetViews views;
         views.sky.assign(field.facets.size(), 1.0f);
@@ -147,7 +143,7 @@ double rms(const Seen& a, const std::vector<float>& p, const Seen& b, const std:
 
 }  // namespace
 
-TEST_CASE("a temperature linear in place has its slope in each facet", "[render][linear_ground]") {
+TEST_CASE("a temperature linear in place has its slope in each facet", "[render][linear_facets]") {
     const Field field(GENERATE(3.0, 6.0), GENERATE(0.0, 2.0));
     const auto kelvins = field.by([](double x, double y) { return 290.0 + 0.13 * x - 0.07 * y; });
     const auto slopes = field.slopes(kelvins);
@@ -159,7 +155,7 @@ TEST_CASE("a temperature linear in place has its slope in each facet", "[render]
 }
 
 TEST_CASE("within a facet the mean stays but for chance, and no place is beyond its neighbours",
-          "[render][linear_ground]") {
+          "[render][linear_facets]") {
     const Field field(4.0, 1.0);
     std::mt19937 random(GENERATE(1, 2, 3));
     std::uniform_real_distribution<float> chance(280.0f, 310.0f);
@@ -176,8 +172,7 @@ TEST_CASE("within a facet the mean stays but for chance, and no place is beyond 
         }
         double mean = 0.0;
         for (const auto v : field.facets.corner[f]) {
-            const Eigen::Vector2f off =
-                (field.facets.vertex[v] - field.facets.centroid[f]).head<2>();
+            const Eigen::Vector3f off = field.facets.vertex[v] - field.facets.centroid[f];
             const double at = double{kelvins[f]} + double{slopes[f].offset} +
                               double{slopes[f].per_metre.dot(off)};
             mean += at / 3.0;
@@ -193,7 +188,7 @@ TEST_CASE("within a facet the mean stays but for chance, and no place is beyond 
 
 // Two even temperatures: any slope would come from across the border.
 TEST_CASE("a smooth temperature with chance in each facet has no steps and less of the chance",
-          "[render][linear_ground]") {
+          "[render][linear_facets]") {
     // Around an inner corner lie about six facets: their weighted mean has a sixth of the variance,
     // and a place between three corners still less. Of 0.05 K at most half remains.
     const Field field(3.0);
@@ -203,14 +198,14 @@ TEST_CASE("a smooth temperature with chance in each facet has no steps and less 
     std::vector<float> kelvins = field.by(law);
     for (float& kelvin : kelvins) kelvin += chance(random);
     const auto slopes = field.slopes(kelvins);
-    const auto at = [&](std::size_t f, const Eigen::Vector2f& place) {
-        return kelvins[f] + slopes[f].at(place - field.facets.centroid[f].head<2>());
+    const auto at = [&](std::size_t f, const Eigen::Vector3f& place) {
+        return kelvins[f] + slopes[f].at(place - field.facets.centroid[f]);
     };
     double steps = 0.0, square = 0.0, bias = 0.0;
     std::size_t edges = 0, inner = 0;
     for (std::size_t f = 0; f < kelvins.size(); ++f) {
         if (!field.inner(f, 9.0)) continue;
-        const Eigen::Vector2f middle = field.facets.centroid[f].head<2>();
+        const Eigen::Vector3f middle = field.facets.centroid[f];
         const double off = double{at(f, middle)} - law(double{middle.x()}, double{middle.y()});
         square += off * off;
         bias += off;
@@ -223,8 +218,8 @@ TEST_CASE("a smooth temperature with chance in each facet has no steps and less 
                 }
             }
             if (common.size() < 2) continue;
-            const Eigen::Vector2f edge = 0.5f * (field.facets.vertex[common[0]].head<2>() +
-                                                 field.facets.vertex[common[1]].head<2>());
+            const Eigen::Vector3f edge =
+                0.5f * (field.facets.vertex[common[0]] + field.facets.vertex[common[1]]);
             steps = std::max(steps, double{std::abs(at(f, edge) - at(o, edge))});
             ++edges;
         }
@@ -236,8 +231,32 @@ TEST_CASE("a smooth temperature with chance in each facet has no steps and less 
     CHECK(std::abs(bias / double(inner)) < 0.005);
 }
 
+TEST_CASE("a wall has the slopes that ground has", "[render][linear_facets]") {
+    // The same facets and temperatures, lying and upright: the same, place by place.
+    const Field lying(3.0);
+    const auto kelvins = lying.by([](double x, double y) { return 290.0 + 0.05 * x - 0.03 * y; });
+    Field wall(3.0);
+    const auto upright = [](const Eigen::Vector3f& v) {
+        return Eigen::Vector3f(v.x(), -v.z(), v.y());
+    };
+    for (auto& v : wall.facets.vertex) v = upright(v);
+    for (auto& c : wall.facets.centroid) c = upright(c);
+    for (auto& n : wall.facets.normal) n = upright(n);
+    for (auto& object : wall.facets.object) object = ObjectId{1};
+    const auto ground = lying.slopes(kelvins), slopes = wall.slopes(kelvins);
+    std::size_t sloping = 0;
+    for (std::size_t f = 0; f < slopes.size(); ++f) {
+        for (const auto v : lying.facets.corner[f]) {
+            const Eigen::Vector3f off = lying.facets.vertex[v] - lying.facets.centroid[f];
+            CHECK(slopes[f].at(upright(off)) == Approx(ground[f].at(off)).margin(1e-4));
+        }
+        sloping += !slopes[f].flat();
+    }
+    CHECK(sloping > slopes.size() / 2);
+}
+
 TEST_CASE("no temperature crosses a border of materials or the edge of a shadow",
-          "[render][linear_ground]") {
+          "[render][linear_facets]") {
     const bool of_material = GENERATE(true, false);
     Field field(3.0, 0.0, of_material ? 0.0 : 1e9);
     std::vector<float> kelvins;
@@ -267,7 +286,7 @@ TEST_CASE("no temperature crosses a border of materials or the edge of a shadow"
 
 // A facet that turns away from the sun has no shadow's edge to one that the sun grazes.
 TEST_CASE("where the sun only grazes the ground, its edge is no shadow's",
-          "[render][linear_ground]") {
+          "[render][linear_facets]") {
     Field field(3.0);
     field.to_sun = direction(150.0, 0.5);
     std::vector<float> kelvins;
@@ -283,7 +302,7 @@ TEST_CASE("where the sun only grazes the ground, its edge is no shadow's",
 
 // A smooth law on facets of 6 m, against the same on facets of 1.5 m.
 TEST_CASE("linear within facets, a picture is nearer to that of facets four times finer",
-          "[render][linear_ground][order]") {
+          "[render][linear_facets][order]") {
     const auto law = [](double x, double y) {
         return 290.0 + 4.0 * std::sin(x / 14.0) * std::cos(y / 17.0) + 0.05 * x;
     };
@@ -301,7 +320,7 @@ TEST_CASE("linear within facets, a picture is nearer to that of facets four time
 }
 
 TEST_CASE("truth at a pixel's centre is what the picture shows there",
-          "[render][linear_ground][truth]") {
+          "[render][linear_facets][truth]") {
     const Field field(5.0, 1.0);
     const auto law = [](double x, double y) { return 290.0 + 0.1 * x + 0.05 * y; };
     const Seen seen(field, field.by(law), camera());
@@ -326,7 +345,7 @@ TEST_CASE("truth at a pixel's centre is what the picture shows there",
 
 // The parabola through three temperatures, against ground of each temperature by itself.
 TEST_CASE("ground up to 5 K from its facet's mean emits as that temperature does",
-          "[render][linear_ground]") {
+          "[render][linear_facets]") {
     const Field field(15.0);
     const Observer eye = camera();
     // Two facets have the coldest and the hottest temperature, which set the range of the tables.
@@ -370,7 +389,7 @@ TEST_CASE("ground up to 5 K from its facet's mean emits as that temperature does
 }
 
 TEST_CASE("temperatures within facets are the same bytes on any number of threads",
-          "[render][linear_ground][threads]") {
+          "[render][linear_facets][threads]") {
     const Field field(2.0, 2.0);
     const auto kelvins = field.by(
         [](double x, double y) { return 290.0 + 5.0 * std::sin(x / 7.0) * std::cos(y / 5.0); });

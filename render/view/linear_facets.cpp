@@ -1,4 +1,4 @@
-#include "render/view/linear_ground.hpp"
+#include "render/view/linear_facets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,26 +12,17 @@ namespace diurna {
 
 namespace {
 
-constexpr float steepest = 0.342f;      // cosine of 70°
-constexpr float one_surface = 0.5f;     // cosine of 60°
+constexpr double steepest = 0.342;      // cosine of 70°
+constexpr float one_ground = 0.5f;      // cosine of 60°
+constexpr float one_face = 0.94f;       // cosine of 20°
 constexpr float shadow_step = 0.02f;    // of the irradiance on a facet across the sun
 constexpr float least_spread = 0.1f;    // of neighbours across their line: 1 all around
 constexpr float least_kelvins = 1e-4f;  // within a facet
 
-/// The facet that rays know in the place of each, if it is ground.
-struct GroundPlace {
-    std::size_t ground_facets;
-    const TextureLevels* levels;
-    bool operator()(std::size_t facet) const {
-        const bool textured = levels != nullptr && !levels->empty();
-        return (textured ? levels->origin[facet] : facet) < ground_facets;
-    }
-};
-
-/// Facets of the ground at some vertices, in compressed rows.
-class GroundAtVertex {
+/// Facets at some vertices, in compressed rows.
+class FacetsAtVertex {
  public:
-    GroundAtVertex(const FacetSet& facets, std::span<const FacetId> chosen, GroundPlace is_ground)
+    FacetsAtVertex(const FacetSet& facets, std::span<const FacetId> chosen)
         : place_(facets.vertex.size(), none) {
         std::uint32_t count = 0;
         for (const FacetId f : chosen) {
@@ -42,7 +33,6 @@ class GroundAtVertex {
         row_.assign(count + 1, 0);
         const auto each = [&](const auto& body) {
             for (std::size_t f = 0; f < facets.size(); ++f) {
-                if (!is_ground(f)) continue;
                 for (const std::uint32_t v : facets.corner[f]) {
                     if (place_[v] != none) body(place_[v], static_cast<std::uint32_t>(f));
                 }
@@ -67,7 +57,7 @@ class GroundAtVertex {
 /// Whether temperatures of two facets belong to one smooth surface.
 class Alike {
  public:
-    explicit Alike(const GroundHeat& heat)
+    explicit Alike(const FacetHeat& heat)
         : facets_(heat.sun.facets),
           fraction_(heat.sun.fraction),
           to_sun_(heat.sun.to_sun.cast<float>()) {
@@ -78,7 +68,8 @@ class Alike {
 
     bool operator()(std::size_t a, std::size_t b) const {
         if (facets_.material[a] != facets_.material[b] || facets_.object[a] != facets_.object[b] ||
-            facets_.normal[a].dot(facets_.normal[b]) < one_surface) {
+            facets_.normal[a].dot(facets_.normal[b]) <
+                (facets_.object[a] == ObjectId{0} ? one_ground : one_face)) {
             return false;
         }
         if (fraction_.empty() || !(known(a) && known(b))) return true;
@@ -96,10 +87,23 @@ class Alike {
     std::vector<std::uint8_t> known_{};  // (facet) its share of the sun
 };
 
-/// The ground around chosen facets, with its temperatures.
-struct Ground {
+/// Two unit vectors in which places on a surface are measured: east and north on ground, across the
+/// normal n on objects and cliffs, without a jump as it turns (Duff et al. 2017, Journal of
+/// Computer Graphics Techniques 6(1), listing 3).
+Eigen::Matrix<double, 2, 3> axes_of(const Eigen::Vector3d& n, ObjectId object) {
+    if (object == ObjectId{0} && n.z() > steepest) return Eigen::Matrix<double, 2, 3>::Identity();
+    const double sign = std::copysign(1.0, n.z());
+    const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
+    Eigen::Matrix<double, 2, 3> axes;
+    axes << 1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x(),  //
+        b, sign + n.y() * n.y() * a, -n.y();
+    return axes;
+}
+
+/// The surfaces around chosen facets, with their temperatures.
+struct Surroundings {
     const FacetSet& facets;
-    const GroundAtVertex& at_vertex;
+    const FacetsAtVertex& at_vertex;
     const Alike& alike;
     std::span<const float> temperature;
 
@@ -107,10 +111,10 @@ struct Ground {
     /// off: of the centroid from the corner [m], weight 1/off².
     template <class Body>
     void each(std::size_t f, std::uint32_t corner, const Body& body) const {
-        const Eigen::Vector2d place = facets.vertex[corner].head<2>().cast<double>();
+        const Eigen::Vector3d place = facets.vertex[corner].cast<double>();
         for (const std::uint32_t other : at_vertex[corner]) {
             if (!alike(f, other)) continue;
-            const Eigen::Vector2d off = facets.centroid[other].head<2>().cast<double>() - place;
+            const Eigen::Vector3d off = facets.centroid[other].cast<double>() - place;
             if (off.squaredNorm() > 0.0) body(other, off, 1.0 / off.squaredNorm());
         }
     }
@@ -118,11 +122,19 @@ struct Ground {
     /// Temperature at a corner: of the plane that fits the facets around it best, within their
     /// range [K].
     double fitted(std::size_t f, std::uint32_t corner) const {
+        // In the plane across their mean normal, the same for all that are alike.
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d&, double) {
+            normal += facets.normal[other].cast<double>();
+        });
+        if (!(normal.squaredNorm() > 0.0)) return double{temperature[f]};
+        const Eigen::Matrix<double, 2, 3> axes = axes_of(normal.normalized(), facets.object[f]);
         double weights = 0.0, sum = 0.0, low = 1e9, high = -1e9;
         Eigen::Vector2d first = Eigen::Vector2d::Zero(), slope = Eigen::Vector2d::Zero();
         Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-        each(f, corner, [&](std::uint32_t other, const Eigen::Vector2d& off, double weight) {
+        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d& away, double weight) {
             const double kelvin = double{temperature[other]};
+            const Eigen::Vector2d off = axes * away;
             weights += weight;
             sum += weight * kelvin;
             first += weight * off;
@@ -131,13 +143,12 @@ struct Ground {
             low = std::min(low, kelvin);
             high = std::max(high, kelvin);
         });
-        if (weights == 0.0) return double{temperature[f]};
         const double half = 0.5 * second.trace();
         if (second.determinant() > least_spread * half * half) {
-            const Eigen::Vector2d across = second.ldlt().solve(first);
-            const double left = weights - across.dot(first);
+            const Eigen::Vector2d lever = second.ldlt().solve(first);
+            const double left = weights - lever.dot(first);
             if (left > least_spread * weights) {
-                return std::clamp((sum - across.dot(slope)) / left, low, high);
+                return std::clamp((sum - lever.dot(slope)) / left, low, high);
             }
         }
         return sum / weights;
@@ -154,7 +165,7 @@ struct Ground {
     /// from a fit, which is common to them, while chance mostly cancels [K].
     double common(std::size_t f, std::uint32_t corner, std::span<const float> lacks) const {
         double weights = 0.0, sum = 0.0;
-        each(f, corner, [&](std::uint32_t other, const Eigen::Vector2d&, double weight) {
+        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d&, double weight) {
             weights += weight;
             sum += weight * double{lacks[other]};
         });
@@ -174,20 +185,21 @@ struct Ground {
 };
 
 /// lacks  (facet) Ground::lacking, of this facet and its neighbours
-FacetSlope slope_of(std::size_t f, const Ground& ground, std::span<const float> lacks) {
-    const FacetSet& facets = ground.facets;
+FacetSlope slope_of(std::size_t f, const Surroundings& around, std::span<const float> lacks) {
+    const FacetSet& facets = around.facets;
     FacetSlope slope;
-    if (facets.normal[f].z() < steepest) return slope;
-    ground.set_range(f, slope);
+    around.set_range(f, slope);
     if (slope.high - slope.low < least_kelvins) return slope;
     const auto& corner = facets.corner[f];
+    const Eigen::Matrix<float, 2, 3> axes =
+        axes_of(facets.normal[f].cast<double>().normalized(), facets.object[f]).cast<float>();
     std::array<Eigen::Vector2f, 3> off;
     Eigen::Vector3f warmer;
     for (std::size_t k = 0; k < 3; ++k) {
-        off[k] = (facets.vertex[corner[k]] - facets.centroid[f]).head<2>();
-        const double kelvin = ground.fitted(f, corner[k]) + ground.common(f, corner[k], lacks);
+        off[k] = axes * (facets.vertex[corner[k]] - facets.centroid[f]);
+        const double kelvin = around.fitted(f, corner[k]) + around.common(f, corner[k], lacks);
         warmer[Eigen::Index(k)] =
-            std::clamp(float(kelvin - double{ground.temperature[f]}), slope.low, slope.high);
+            std::clamp(float(kelvin - double{around.temperature[f]}), slope.low, slope.high);
     }
     Eigen::Matrix2f sides;
     sides << (off[1] - off[0]).transpose(), (off[2] - off[0]).transpose();
@@ -209,13 +221,13 @@ FacetSlope slope_of(std::size_t f, const Ground& ground, std::span<const float> 
         most = std::max(most, std::abs(kelvins));
     }
     if (share * most < least_kelvins) return {.low = slope.low, .high = slope.high};
-    slope.per_metre = share * full;
+    slope.per_metre = share * axes.transpose() * full;
     return slope;
 }
 
-/// Facets and all ground with a common corner, ascending, each once.
+/// Facets and all with a common corner, ascending, each once.
 std::vector<FacetId> with_neighbours(std::span<const FacetId> chosen, const FacetSet& facets,
-                                     const GroundAtVertex& at_vertex) {
+                                     const FacetsAtVertex& at_vertex) {
     std::vector<FacetId> all(chosen.begin(), chosen.end());
     for (const FacetId f : chosen) {
         for (const std::uint32_t v : facets.corner[index(f)]) {
@@ -229,36 +241,32 @@ std::vector<FacetId> with_neighbours(std::span<const FacetId> chosen, const Face
 
 }  // namespace
 
-std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const GroundHeat& heat) {
+std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const FacetHeat& heat) {
     const FacetSet& facets = heat.sun.facets;
-    const GroundPlace is_ground{heat.ground_facets, heat.levels};
     const std::vector<FacetId> around =
-        with_neighbours(chosen, facets, GroundAtVertex(facets, chosen, is_ground));
-    const GroundAtVertex at_vertex(facets, around, is_ground);
+        with_neighbours(chosen, facets, FacetsAtVertex(facets, chosen));
+    const FacetsAtVertex at_vertex(facets, around);
     const Alike alike(heat);
-    const Ground ground{facets, at_vertex, alike, heat.temperature};
+    const Surroundings of{facets, at_vertex, alike, heat.temperature};
     std::vector<float> lacks(facets.size(), 0.0f);
     for_each_index(
         around.size(),
-        [&](std::size_t k) { lacks[index(around[k])] = float(ground.lacking(index(around[k]))); },
+        [&](std::size_t k) { lacks[index(around[k])] = float(of.lacking(index(around[k]))); },
         1024);
     std::vector<FacetSlope> slopes(chosen.size());
     for_each_index(
-        chosen.size(),
-        [&](std::size_t k) { slopes[k] = slope_of(index(chosen[k]), ground, lacks); }, 1024);
+        chosen.size(), [&](std::size_t k) { slopes[k] = slope_of(index(chosen[k]), of, lacks); },
+        1024);
     return slopes;
 }
 
-LinearGround linear_ground(const View& view, const Observer& observer, const GroundHeat& heat) {
+LinearFacets linear_facets(const View& view, const Observer& observer, const FacetHeat& heat) {
     const FacetSet& facets = heat.sun.facets;
-    LinearGround out;
-    const GroundPlace is_ground{heat.ground_facets, heat.levels};
+    LinearFacets out;
     std::vector<FacetId> chosen;
     for (std::size_t t = 0; t < view.facet.size(); ++t) {
         const auto target = static_cast<std::uint32_t>(t);
-        if (view.copy_of(target) == no_copy && is_ground(index(view.facet[t]))) {
-            chosen.push_back(view.facet[t]);
-        }
+        if (view.copy_of(target) == no_copy) chosen.push_back(view.facet[t]);
     }
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
@@ -283,8 +291,8 @@ LinearGround linear_ground(const View& view, const Observer& observer, const Gro
             const auto warmer = [&](FacetId facet, float range) {
                 const FacetSlope* const slope = of_facet[index(facet)];
                 if (slope == nullptr) return 0.0f;
-                const Eigen::Vector2f at = (from + double{range} * to).head<2>().cast<float>();
-                return slope->at(at - facets.centroid[index(facet)].head<2>());
+                const Eigen::Vector3f at = (from + double{range} * to).cast<float>();
+                return slope->at(at - facets.centroid[index(facet)]);
             };
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];

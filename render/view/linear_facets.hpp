@@ -12,14 +12,15 @@
 
 namespace diurna {
 
-/// Temperature within a facet, linear in plan, relative to the facet's own.
+/// Temperature within a facet, linear in plan on ground and in its plane on objects, relative to
+/// the facet's own.
 struct FacetSlope {
-    Eigen::Vector2f per_metre = Eigen::Vector2f::Zero();  // east, north [K m⁻¹]
+    Eigen::Vector3f per_metre = Eigen::Vector3f::Zero();  // east, north, up [K m⁻¹]
     float offset = 0.0f;                                  // [K] at the centroid
     float low = 0.0f, high = 0.0f;                        // [K] of it and its neighbours
 
-    /// [K] at a place relative to the centroid (east, north [m]), within the neighbours' range.
-    float at(const Eigen::Vector2f& off) const {
+    /// [K] at a place relative to the centroid (east, north, up [m]), within the neighbours' range.
+    float at(const Eigen::Vector3f& off) const {
         return std::min(std::max(offset + per_metre.dot(off), low), high);
     }
     bool flat() const { return per_metre.isZero() && offset == 0.0f; }
@@ -29,18 +30,16 @@ struct FacetSlope {
 /// as chance (rays to sky and sun) and is levelled; beyond three times of it the mean is kept.
 inline constexpr float chance_difference = 0.15f;
 
-/// The ground whose temperatures are given, and the sun over it.
-struct GroundHeat {
+/// Surfaces whose temperatures are given, and the sun over them.
+struct FacetHeat {
     const SunOverFacets& sun;            // its facets may include the levels of textures
-    std::size_t ground_facets;           // the first ones of the scene
-    const TextureLevels* levels;         // of textures; null: none
     std::span<const float> temperature;  // (facet) [K]
     /// Facets whose share of the sun is known; the others count as in the same light as their
     /// neighbours. Empty: all.
     std::span<const FacetId> lit{};
 };
 
-/// Slopes of chosen facets of the ground: through the temperatures of their corners, each the value
+/// Slopes of chosen facets: through the temperatures of their corners, each the value
 /// there of the plane that fits the facets around it best (least squares, weighted by 1/distance²),
 /// within their range. So the temperature has no step from facet to facet where it is smooth, what
 /// chance adds to single facets is averaged over those around a corner, and a temperature that is
@@ -48,23 +47,22 @@ struct GroundHeat {
 /// than chance keeps its mean; its slope is then limited so that no corner is colder or warmer than
 /// all neighbours (Barth & Jespersen 1989).
 ///
-/// Neighbours are facets of the same material and object, in planes within 60°, and not across the
-/// edge of a shadow: shares of the sun's disc, times the smaller cosine of incidence, differ by
-/// less than 0.02.
+/// Neighbours are facets of the same material and object, in planes within 60° on the ground and
+/// 20° on objects, and not across the edge of a shadow: shares of the sun's disc, times the smaller
+/// cosine of incidence, differ by less than 0.02.
 ///
-/// - chosen: steeper than 70° they have no slope
-/// - returns: (chosen)
-std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const GroundHeat& heat);
+/// returns  (chosen)
+std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const FacetHeat& heat);
 
-/// Temperature of the ground where pixels see it, relative to its facets' own.
-struct LinearGround {
+/// Temperature of surfaces where pixels see them, relative to their facets' own.
+struct LinearFacets {
     std::vector<float> warmer;         // (sighting) [K]; 0 for all else
     std::vector<float> warmer_centre;  // (pixel) [K] of the facet at its centre
     bool empty() const { return warmer.empty(); }
 };
 
-/// Slopes of all facets of the ground in a view, where its pixels' middles see them; copies and
-/// moving objects have none. The same bytes for any number of threads.
-LinearGround linear_ground(const View& view, const Observer& observer, const GroundHeat& heat);
+/// Slopes of all facets in a view, where its pixels' middles see them; copies have none. The same
+/// bytes for any number of threads.
+LinearFacets linear_facets(const View& view, const Observer& observer, const FacetHeat& heat);
 
 }  // namespace diurna

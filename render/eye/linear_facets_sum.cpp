@@ -1,4 +1,4 @@
-#include "render/eye/linear_ground_sum.hpp"
+#include "render/eye/linear_facets_sum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Chosen {
     std::vector<float> warmer;               // (row) [K]; a target's second row is the opposite
     std::vector<std::uint8_t> has_parabola;  // (row)
 
-    Chosen(const View& view, const LinearGround& ground) : place(view.facet.size(), no_row) {
+    Chosen(const View& view, const LinearFacets& ground) : place(view.facet.size(), no_row) {
         std::vector<float> most(view.facet.size(), 0.0f);
         for (std::size_t k = 0; k < ground.warmer.size(); ++k) {
             float& of = most[view.sighting[k].target];
@@ -46,7 +46,7 @@ float radiance_here(const AtEye& at, const Sighting& s) {
 
 }  // namespace
 
-void add_linear_ground(const View& view, const LinearGround& ground, const SceneLight& light,
+void add_linear_facets(const View& view, const LinearFacets& ground, const SceneLight& light,
                        const EyeTables& tables, std::span<std::vector<float>> planes) {
     if (ground.empty()) return;
     const Chosen chosen(view, ground);

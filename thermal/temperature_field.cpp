@@ -197,6 +197,10 @@ Variables declare(const NetcdfWriter& file, const TemperatureField& field, const
             variables.solved_as, "long_name",
             "representative facet whose temperatures this facet has: itself where it was solved, "
             "otherwise a representative, because no picture of the run shows this facet");
+        if (field.representative_rms > 0.0) {
+            file.must(nc_put_att_double(file.id(), variables.solved_as, representative_rms_name,
+                                        NC_DOUBLE, 1, &field.representative_rms));
+        }
         file.text(variables.solved_as, "mesh", "mesh");
         file.text(variables.solved_as, "location", "face");
     }

@@ -23,6 +23,9 @@ struct TemperatureField {
     CoveredFacets water{};      // on facets with a water balance; empty if all are dry
     /// (facet) its representative, itself if solved; empty: all were solved.
     std::vector<std::uint32_t> solved_as{};
+    /// [K] rms difference between a facet's own temperature and its representative's, measured on a
+    /// sample of facets; 0: not measured, or all were solved.
+    double representative_rms = 0.0;
 
     std::span<const float> at(std::size_t index) const {
         return {kelvin.data() + index * facets, facets};

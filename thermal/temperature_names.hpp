@@ -47,6 +47,8 @@ inline constexpr std::array<TermName, heat_terms> heat_term_names{{
 
 inline constexpr const char* temperatures_title = "diurna facet temperatures";
 inline constexpr const char* solved_as_name = "solved_as";
+/// Attribute of it: TemperatureField::representative_rms.
+inline constexpr const char* representative_rms_name = "representative_rms_K";
 inline constexpr const char* made_of_name = "made_of";  // global attribute, FieldNotes::made_of
 
 /// HDF5 stores no larger attribute in the normal way: longer lists of names become a variable

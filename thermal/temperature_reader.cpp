@@ -112,6 +112,14 @@ TemperatureField load_temperature_field(const fs::path& path) {
         throw file.refused("has temperatures outside 1 to 5000 K");
     }
     field.solved_as = read_solved_as(file, facets);
+    if (!field.solved_as.empty()) {
+        const double rms = file.number(solved_as_name, representative_rms_name).value_or(0.0);
+        if (!(rms >= 0.0 && rms < 1e4)) {
+            throw file.refused(
+                fmt::format("{} is {}, expected 0 K or more", representative_rms_name, rms));
+        }
+        field.representative_rms = rms;
+    }
     field.water = read_cover(file, instants, facets);
     return field;
 }

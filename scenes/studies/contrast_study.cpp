@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "materials/base/number_of.hpp"
+#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/studies/band_words.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/signature_scene.hpp"
@@ -59,7 +60,8 @@ StudyFindings contrast_study(const StudyRequest& request) {
     Study study(request.read(), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "contrast", names_of(scene.contrasts));
-    const TemperatureField field = study.heat(request.temperatures);
+    const TemperatureField field =
+        study.heat(request.temperatures, [&] { return picture_shares(study.stages()); });
     StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
     for (const ContrastInput& input : scene.contrasts) {
         const ContrastReport report = contrast_of(study.stages(), input, field, study.progress());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/base/number_of.hpp"
+#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/studies/band_words.hpp"
 #include "scenes/studies/crossover_files.hpp"
 #include "terrain/place/local_time.hpp"
@@ -93,7 +94,13 @@ StudyFindings crossover_study(const StudyRequest& request) {
     check_asked(request, scene, "crossover", names_of(scene.crossovers), "_curves");
     const SceneWith scene_with = request.scene_with();
     check_crossovers(study, scene_with);
-    const TemperatureField field = study.heat(request.temperatures);
+    // A shift is the difference to another solution: both then have all facets solved.
+    const bool shifts =
+        std::any_of(scene.crossovers.begin(), scene.crossovers.end(),
+                    [](const auto& input) { return input.refined || !input.uncertain.empty(); });
+    const SeenShare seen = [&] { return picture_shares(study.stages()); };
+    const TemperatureField field =
+        shifts ? study.whole_heat(request.temperatures) : study.heat(request.temperatures, seen);
     const CrossoverAnswer answer = crossovers_of(study, field, scene_with);
     study.progress().finish();
     const double offset = scene.time.utc_offset;

@@ -69,15 +69,50 @@ SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const 
     return seen;
 }
 
+std::size_t observer_number(const Scene& scene, const DetectionInput& input) {
+    std::size_t o = 0;
+    while (scene.observers[o].name != scene.instruments[input.instrument].observer) ++o;
+    return o;
+}
+
+/// Number of the observer's pose at an instant.
+std::size_t frame_at(const Sequence& sequence, Instant when, const DetectionInput& input,
+                     const Scene& scene) {
+    if (!sequence.goes) return 0;
+    const auto at = std::find(sequence.frame.begin(), sequence.frame.end(), when);
+    if (at == sequence.frame.end()) {
+        throw InputError(input.studied.where,
+                         fmt::format("observer {} moves and has no picture at {}",
+                                     scene.observers[observer_number(scene, input)].name,
+                                     format_local(when, scene.time.utc_offset)),
+                         "remove frames: the observer's own instants are used");
+    }
+    return static_cast<std::size_t>(at - sequence.frame.begin());
+}
+
 }  // namespace
+
+std::vector<SeenView> detection_views(const Stages& stages,
+                                      const std::vector<DetectionInput>& inputs) {
+    const Prepared& prepared = stages.scene();
+    std::vector<SeenView> views;
+    for (const DetectionInput& input : inputs) {
+        const Sequence& sequence = prepared.sequences[observer_number(prepared.scene, input)];
+        for (const Instant when : input.studied.frames) {
+            const Observer& pose = sequence.at(frame_at(sequence, when, input, prepared.scene));
+            const StudiedTarget target = studied_target(stages, input.studied, when);
+            views.push_back({close_eye(pose, target), when, 1});
+        }
+    }
+    return views;
+}
 
 std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionInput& input,
                                          const TemperatureField& field, Progress& progress) {
     const Prepared& prepared = stages.scene();
     const Scene& scene = prepared.scene;
     const InstrumentInput& instrument = scene.instruments[input.instrument];
-    std::size_t o = 0;
-    while (scene.observers[o].name != instrument.observer) ++o;
+    const std::size_t o = observer_number(scene, input);
     const ObserverInput& observer = scene.observers[o];
     const Sequence& sequence = prepared.sequences[o];
     const Band band = named_band(scene.bands, instrument.band, bin_edges_um());
@@ -89,18 +124,7 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
     std::vector<DetectionCurve> curves(input.studied.frames.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Instant when = input.studied.frames[i];
-        std::size_t frame = 0;
-        if (sequence.goes) {
-            const auto at = std::find(sequence.frame.begin(), sequence.frame.end(), when);
-            if (at == sequence.frame.end()) {
-                throw InputError(
-                    input.studied.where,
-                    fmt::format("observer {} moves and has no picture at {}", observer.name,
-                                format_local(when, scene.time.utc_offset)),
-                    "remove frames: the observer's own instants are used");
-            }
-            frame = static_cast<std::size_t>(at - sequence.frame.begin());
-        }
+        const std::size_t frame = frame_at(sequence, when, input, scene);
         const StudiedTarget target = studied_target(stages, input.studied, when);
         DetectionCurve& curve = curves[i];
         curve.target = seen_target(target, sequence.at(frame), instrument.band, input, field, when,

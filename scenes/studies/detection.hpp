@@ -6,6 +6,7 @@
 
 #include "render/detection/tasks.hpp"
 #include "scenes/job/input/read_detection.hpp"
+#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/studies/signature_scene.hpp"
 
 namespace diurna {
@@ -34,6 +35,10 @@ struct DetectionCurve {
     /// (task)(probability): ranges [m]; 0: not even at the shortest range.
     std::array<std::vector<double>, 3> johnson_range, metric_range;
 };
+
+/// The pictures that it makes, with one ray a pixel, to find what they show.
+std::vector<SeenView> detection_views(const Stages& stages,
+                                      const std::vector<DetectionInput>& inputs);
 
 /// The contrast is that of the picture converted to other ranges on the same line
 /// (scenes/studies/contrast_on_line.hpp). Aspect and background are unchanged. Throws InputError

@@ -64,7 +64,10 @@ StudyFindings detection_study(const StudyRequest& request) {
     Study study(request.read(), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "detection", names_of(scene.detections));
-    const TemperatureField field = study.heat(request.temperatures, studied_of(scene.detections));
+    const TemperatureField field =
+        study.heat(request.temperatures, studied_of(scene.detections), [&] {
+            return view_shares(study.stages(), detection_views(study.stages(), scene.detections));
+        });
     const double offset = scene.time.utc_offset;
     StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
     for (const DetectionInput& input : scene.detections) {

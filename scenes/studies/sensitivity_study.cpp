@@ -57,7 +57,7 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
     for (const SensitivityInput& input : scene.sensitivities) {
         check_sensitivity(study, input, scene_with);
     }
-    const TemperatureField field = study.heat("");
+    const TemperatureField field = study.whole_heat("");
     StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
     for (const SensitivityInput& input : scene.sensitivities) {
         const SensitivityReport report = sensitivity_of(study, input, field, scene_with);

@@ -64,6 +64,25 @@ Observer eye_of(const SignatureInput& input, const StudiedTarget& target, const 
 
 }  // namespace
 
+std::vector<SeenView> signature_views(const Stages& stages,
+                                      const std::vector<SignatureInput>& inputs) {
+    constexpr std::size_t most = 24;
+    std::vector<SeenView> views;
+    for (const SignatureInput& input : inputs) {
+        std::size_t below = 0;
+        const std::vector<Aspect> aspects = aspects_above(input.directions, below);
+        const std::size_t some = std::min(most, aspects.size());
+        for (const Instant when : input.studied.frames) {
+            const StudiedTarget target = studied_target(stages, input.studied, when);
+            for (std::size_t k = 0; k < some; ++k) {
+                const Aspect& aspect = aspects[k * aspects.size() / some];
+                views.push_back({eye_of(input, target, aspect), when, 1});
+            }
+        }
+    }
+    return views;
+}
+
 SignatureReport signature_of(const Stages& stages, const SignatureInput& input,
                              const TemperatureField& field, Progress& progress) {
     SignatureReport report;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/studies/signature_scene.hpp"
 
 namespace diurna {
@@ -33,6 +34,11 @@ struct SignatureReport {
     std::size_t hidden = 0;  // rows in which it is not visible
     std::size_t alone = 0;   // rows in which only it is visible
 };
+
+/// Some of the pictures that it makes, to find what they show: 24 directions of each instant,
+/// evenly, with one ray a pixel.
+std::vector<SeenView> signature_views(const Stages& stages,
+                                      const std::vector<SignatureInput>& inputs);
 
 SignatureReport signature_of(const Stages& stages, const SignatureInput& input,
                              const TemperatureField& field, Progress& progress);

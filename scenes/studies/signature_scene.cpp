@@ -10,9 +10,9 @@
 
 #include "materials/base/error.hpp"
 #include "render/view/pixel_rays.hpp"
-#include "scenes/job/run/given_heat.hpp"
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/picture.hpp"
+#include "scenes/job/run/represented.hpp"
 #include "scenes/job/run/series.hpp"
 #include "scenes/products/labels/labelled.hpp"
 #include "scenes/studies/seen_regions.hpp"
@@ -27,16 +27,6 @@ Prepared made_ready(Scene scene, Progress& progress) {
     return prepare(std::move(scene));
 }
 
-/// Throws InputError for what is not the whole scene's.
-GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file) {
-    GivenHeat given = given_heat(prepared, run_inputs(prepared.scene), file);
-    if (!given.field.solved_as.empty()) {
-        throw InputError(file.string(), "was computed for certain pictures only (tolerance_K)",
-                         "run diurna solve without tolerance_K");
-    }
-    return given;
-}
-
 }  // namespace
 
 Study::Study(Scene scene, ProgressTo progress)
@@ -48,7 +38,7 @@ Study::Study(Scene scene, ProgressTo progress)
 }
 
 TemperatureField Study::heat(const std::filesystem::path& file,
-                             const std::vector<StudiedObject>& studied) {
+                             const std::vector<StudiedObject>& studied, const SeenShare& seen) {
     progress_.stage(StageId::sky_view);
     std::set<Instant> wanted;
     for (const StudiedObject& one : studied) {
@@ -57,7 +47,7 @@ TemperatureField Study::heat(const std::filesystem::path& file,
             wanted.insert(when);
         }
     }
-    TemperatureField field = heat(file);
+    TemperatureField field = heat(file, seen);
     if (!file.empty()) {
         check_covers(field, std::vector<Instant>(wanted.begin(), wanted.end()), file);
     }
@@ -71,19 +61,37 @@ TemperatureField Study::heat(const std::filesystem::path& file,
     return field;
 }
 
-TemperatureField Study::heat(const std::filesystem::path& file) {
-    TemperatureField field;
-    if (file.empty()) {
-        SpanResult result = solve_scene(stages_, progress_);
-        not_converged_ = diurna::not_converged(result.report);
-        notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
-        field = std::move(result.temperature);
-    } else {
-        GivenHeat given = whole_heat(prepared_, file);
-        notes_.insert(notes_.end(), given.warnings.begin(), given.warnings.end());
-        field = std::move(given.field);
-    }
-    return field;
+TemperatureField Study::heat(const std::filesystem::path& file, const SeenShare& seen) {
+    if (file.empty()) return solve();
+    GivenHeat given = given_heat(prepared_, run_inputs(prepared_.scene), file);
+    if (given.field.solved_as.empty()) return taken(std::move(given));
+    const RepresentedEffect effect = represented_effect(stages_, given.field, seen());
+    const double tolerance = scene().tolerance;
+    notes_.push_back(in_words(effect, file, tolerance, "all facets"));
+    return effect.within(tolerance) ? taken(std::move(given)) : solve();
+}
+
+TemperatureField Study::whole_heat(const std::filesystem::path& file) {
+    if (file.empty()) return solve();
+    GivenHeat given = given_heat(prepared_, run_inputs(prepared_.scene), file);
+    if (given.field.solved_as.empty()) return taken(std::move(given));
+    notes_.push_back(fmt::format(
+        "{}: some facets have a representative's temperature, and this study compares solutions of "
+        "all facets: they were solved instead",
+        file.string()));
+    return solve();
+}
+
+TemperatureField Study::solve() {
+    SpanResult result = solve_scene(stages_, progress_);
+    not_converged_ = diurna::not_converged(result.report);
+    notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
+    return std::move(result.temperature);
+}
+
+TemperatureField Study::taken(GivenHeat given) {
+    notes_.insert(notes_.end(), given.warnings.begin(), given.warnings.end());
+    return std::move(given.field);
 }
 
 StudiedTarget studied_target(const Stages& stages, const StudiedObject& studied, Instant when) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,11 +9,15 @@
 #include "render/view/observer.hpp"
 #include "scenes/job/input/read_signature.hpp"
 #include "scenes/job/plan/progress.hpp"
+#include "scenes/job/run/given_heat.hpp"
 #include "scenes/job/run/stages.hpp"
 #include "scenes/job/world/upright_box.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
+
+/// (facet) The largest share of any of a study's pictures that it fills.
+using SeenShare = std::function<std::vector<float>()>;
 
 /// A scene prepared for studies of single objects.
 class Study {
@@ -22,19 +27,28 @@ class Study {
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }
     Progress& progress() { return progress_; }
-    /// Temperatures from a file of the same scene or, if it is "", from the heat balance. Throws
+    /// Temperatures from a file of the same scene or, if it is "", from the heat balance. If facets
+    /// of the file have a representative's temperature, and this changes the study's pictures by
+    /// more than tolerance_K, all facets are solved instead; a note reports either. Throws
     /// InputError for a file of other facets, and for invalid targets, before anything is
     /// solved.
+    ///
+    /// - seen: evaluated for such a file only
     TemperatureField heat(const std::filesystem::path& file,
-                          const std::vector<StudiedObject>& studied);
+                          const std::vector<StudiedObject>& studied, const SeenShare& seen);
     /// The same for studies of the whole span.
-    TemperatureField heat(const std::filesystem::path& file);
+    TemperatureField heat(const std::filesystem::path& file, const SeenShare& seen);
+    /// The same where every facet has to be solved.
+    TemperatureField whole_heat(const std::filesystem::path& file);
     /// Notes on scene and temperatures for the report.
     const std::vector<std::string>& notes() const { return notes_; }
     /// "" if the heat balance converged.
     const std::string& not_converged() const { return not_converged_; }
 
  private:
+    TemperatureField solve();
+    TemperatureField taken(GivenHeat given);
+
     Progress progress_;
     Prepared prepared_;
     Stages stages_;

@@ -35,7 +35,10 @@ StudyFindings signature_study(const StudyRequest& request) {
     Study study(request.read(), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "signature", names_of(scene.signatures));
-    const TemperatureField field = study.heat(request.temperatures, studied_of(scene.signatures));
+    const TemperatureField field =
+        study.heat(request.temperatures, studied_of(scene.signatures), [&] {
+            return view_shares(study.stages(), signature_views(study.stages(), scene.signatures));
+        });
     const double offset = scene.time.utc_offset;
     StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
     for (const SignatureInput& input : scene.signatures) {

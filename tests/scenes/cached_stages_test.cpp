@@ -111,6 +111,10 @@ TEST_CASE("tolerance_K makes heat the pictures' own", "[scenes][cache]") {
         other{"tolerance_K=0.1", "observer.0.height_above_ground_m=460.0"};
     place.run("near", near);
     CHECK(place.run("near", near) == Stages{"sky", "heat"});
+    // Another band shows the same facets.
+    const std::vector<std::string> band{"tolerance_K=0.1", "observer.0.bands=[\"8-12\"]"};
+    CHECK(place.run("band", band) == Stages{"sky", "heat"});
+    CHECK(place.alike("band", band));
     CHECK(place.run("whole", {}) == Stages{"sky"});  // shadows were asked for on some
     CHECK(place.run("other", other) == Stages{"sky"});
     CHECK(place.alike("other", other));

@@ -88,6 +88,7 @@ TEST_CASE("a scene whose state is stored is solved whole", "[scenes][needed]") {
     Scene scene = valley(folder);
     scene.output.state = true;
     scene.tolerance = 0.1;
+    scene.tolerance_given = true;
     const Prepared prepared = prepare(std::move(scene));
     Progress silent(ProgressStyle::silent);
     const SpanResult result = solve_scene(Stages(prepared), silent, prepared.plan.decisions.heat);

@@ -57,7 +57,6 @@ PointNeed point_need(const ThermalSurface& surface) {
 /// warmest  that gathers dew in the block; found where it is still empty
 PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, std::size_t l,
                                        bool all_dew, std::vector<double>& warmest) const {
-    constexpr double dew_matters = 0.3;  // [K]
     const Kind& kind = level.kind[block.material];
     const ThermalSurface& surface = kind.column.surface;
     const std::size_t f = block.facet[l];
@@ -78,7 +77,8 @@ PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, s
     if (!dry && !all_dew) return {};
     if (warmest.empty()) warmest = warmest_dew(solve_, kind, block);
     const Dew dew = dew_on(solve_, kind, block, l, warmest);
-    return {.taken = dry && dew.most_warming >= dew_matters,
+    const double least = solve_.options.least_dew;
+    return {.taken = dry && dew.most_warming > 0.0 && dew.most_warming >= least,
             .unfollowed = true,
             .dew = dew.gathered,
             .warming = dry ? dew.most_warming : 0.0};

@@ -44,6 +44,7 @@ struct SolveOptions {
     GridOptions grid{};         // of layered columns
     int refinement = 1;         // divides every step, with the same inputs: for error estimates
     bool exchange = true;       // light and heat from one facet to another
+    double least_dew = 0.3;     // [K] dew that changes a dry surface by less is not modelled
     /// Steps whose instants' heat balance is requested, ascending. It is recorded in an additional
     /// pass, which also gives the temperatures.
     std::vector<std::size_t> heat_at{};

@@ -11,6 +11,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/number_of.hpp"
+#include "scenes/app/commands/printed_lines.hpp"
 #include "scenes/job/input/scene_file.hpp"
 #include "scenes/products/export/coloured_ply.hpp"
 #include "scenes/products/export/curve_csv.hpp"
@@ -69,6 +70,7 @@ void export_verb(const ExportArguments& a) {
         const bool hourly = a.to == "geotiff" || a.to == "kmz";
         instants = hourly ? every_hour(heat) : heat.field.instant;
     }
+    if (const std::string note = represented_note(heat); !note.empty()) print_notes({note});
     const std::string out = a.out.string();
     if (a.to == "csv") {
         check_output_file(a.out, opened.files());

@@ -75,7 +75,9 @@ struct Scene {
     std::vector<ContrastInput> contrasts;
     std::vector<SensitivityInput> sensitivities;
     SweepInput sweep;
-    double tolerance = 0.0;  // [K] rms of pictures, for facets not visible; 0: all solved
+    double tolerance = 0.0;        // [K] rms of pictures, for facets not visible; 0: all solved
+    bool tolerance_given = false;  // it is in the file
+    bool exact = false;            // no shortcut: `tolerance` is 0, and other tolerances as well
     std::vector<std::string> idle_sky_keys{};  // unused keys of [sky], replaced by `air`
     int sky_rays = 64;                         // per facet of the ground
     int object_sky_rays = 256;                 // per facet of buildings and objects

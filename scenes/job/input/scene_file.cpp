@@ -91,6 +91,23 @@ void read_about(const Section& about, Scene& scene) {
         128, {0, 4096});
 }
 
+/// What may be skipped.
+void read_tolerance(const Section& root, Scene& scene) {
+    scene.tolerance_given = root.has("tolerance_K");
+    scene.tolerance =
+        root.number_or("tolerance_K",
+                       "allowed rms error of a picture; facets that are neither visible nor "
+                       "thermally coupled to visible ones reuse a representative's temperature; 0: "
+                       "every facet is solved. temperatures.nc names the representatives",
+                       0.1, {0.0, 10.0});
+    scene.exact = root.flag_or(
+        "exact",
+        "solve every facet and every shadow, model all dew, give each copy its own temperatures, "
+        "and follow all reflected rays: tolerance_K and copies_alike_K count as 0",
+        false);
+    if (scene.exact) scene.tolerance = 0.0;
+}
+
 /// The scene's own materials, each of which may start from those above it.
 void read_materials(const Section& materials, Scene& scene, Reading& reading) {
     scene.materials = default_material_library();
@@ -267,12 +284,7 @@ Scene read_scene(const Document& document) {
     const Section root = document.root();
     scene.confines = document.confines();
     read_about(root.section("scene", "name and sampling of the scene"), scene);
-    scene.tolerance =
-        root.number_or("tolerance_K",
-                       "allowed rms error of a picture; facets that are neither visible nor "
-                       "thermally coupled to visible ones reuse a representative's temperature; 0: "
-                       "every facet is solved. temperatures.nc names the representatives",
-                       0.0, {0.0, 10.0});
+    read_tolerance(root, scene);
     const Section site =
         root.section("site", "origin of the east-north-up frame; default: centre of the raster");
     scene.site = read_site(site);
@@ -290,6 +302,9 @@ Scene read_scene(const Document& document) {
         reading.trajectories.known.push_back(way.name);
     }
     scene.terrain = read_terrain(terrain, root, reading, elevation);
+    for (ObjectInput& object : scene.terrain.objects) {
+        if (scene.exact) object.alike_within = 0.0;
+    }
     const Section atmosphere = read_sky_and_air(root, scene, reading);
     scene.output =
         read_output(root.section("output", "additional output besides temperatures and pictures"));

@@ -17,7 +17,10 @@ namespace {
 /// "" where only facets that pictures need are solved.
 std::string why_every_facet(const Scene& scene, const World& world,
                             std::span<const Sequence> sequences) {
-    constexpr std::size_t few_facets = 5000;
+    // Scenes of this size are solved in a second or two, and the result serves any pictures. A
+    // tolerance in the file applies to smaller ones, too.
+    const std::size_t few_facets = scene.tolerance_given ? 5000 : 20000;
+    if (scene.exact) return "exact is true";
     if (!(scene.tolerance > 0.0)) return "tolerance_K is 0";
     if (scene.output.state) return "the state of all facets is saved (output.state)";
     if (scene.time.spin_up == SpanStart::state)
@@ -85,8 +88,9 @@ PictureLight light_of_pictures(const Scene& scene, const World& world, const Wea
 
 Decisions decisions_of(const Scene& scene, const World& world, const Weather& weather,
                        std::span<const Sequence> sequences) {
-    Decisions decisions{.heat = {.every_facet = why_every_facet(scene, world, sequences),
-                                 .tolerance = scene.tolerance,
+    const std::string every_facet = why_every_facet(scene, world, sequences);
+    Decisions decisions{.heat = {.every_facet = every_facet,
+                                 .tolerance = every_facet.empty() ? scene.tolerance : 0.0,
                                  .check_points = scene.check_points}};
     sort_by_water(scene, world, decisions);
     decisions.light = light_of_pictures(scene, world, weather);

@@ -56,6 +56,7 @@ Audit audit(const AuditedRun& run, Scene scene, int checks, const ProgressTo& to
             .places = solved.places,
             .unchecked = solved.unchecked,
             .pictures = prepared.plan.pictures,
+            .tolerance = prepared.scene.tolerance,
             .not_converged = not_converged(solved.report),
             .same_inputs = key == run.key};
 }
@@ -87,6 +88,10 @@ std::vector<std::string> audit_lines(const Audit& audit) {
         lines.push_back(fmt::format("{:<24} {:8.1f} %   of the mean square, {}",
                                     "material " + of.name, 100.0 * of.rms,
                                     number_of(of.points, "place")));
+    }
+    if (!error.set.empty() && error.low > audit.tolerance) {
+        lines.push_back(fmt::format("{:<24} {}", fmt::format("for {:g} K, set", audit.tolerance),
+                                    in_words(error.set, error.parts.material)));
     }
     if (!not_checked.empty()) lines.push_back(not_checked);
     return lines;

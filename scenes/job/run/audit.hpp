@@ -23,6 +23,7 @@ struct Audit {
     CheckError error{};
     std::size_t places = 0, unchecked = 0;  // solved separately; on panes, nets, sheets, targets
     std::size_t pictures = 0;               // in which they were drawn
+    double tolerance = 0.0;                 // [K] Scene::tolerance
     std::string not_converged{};            // "" if the heat balance converged
     bool same_inputs = true;                // as the run had, with the same program
 };

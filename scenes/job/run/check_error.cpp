@@ -42,11 +42,18 @@ std::vector<FacetId> about(const World& world, const CheckPoints& points) {
     return near;
 }
 
-/// (point) [K] by how much a picture shows a point warmer than its surface is in the mean.
-std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoints& points,
-                                      std::span<const FacetId> near, Instant when,
-                                      std::span<const float> temperature) {
-    std::vector<float> warmer(points.point.size(), 0.0f);
+/// At one instant: (point) [K].
+struct AtPoints {
+    std::vector<float> warmer;  // by how much a picture shows it warmer than its surface's mean
+    std::vector<float> by_sun;  // error of its surface's mean due to the number of rays to the sun
+};
+
+AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
+                     std::span<const FacetId> near, Instant when,
+                     std::span<const float> temperature) {
+    AtPoints at{.warmer = std::vector<float>(points.point.size(), 0.0f),
+                .by_sun = std::vector<float>(points.point.size(), 0.0f)};
+    std::vector<float>& warmer = at.warmer;
     const World& world = prepared.world;
     const SunPosition place = sun_over(prepared, when);
     const std::vector<float> fraction =
@@ -62,7 +69,7 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
         const CheckPoint& point = points.point[k];
         warmer[k] = slope[k].at(point.place - surfaces.centroid[point.surface]);
     }
-    if (fraction.empty()) return warmer;
+    if (fraction.empty()) return at;
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
     for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
         crossed.push_back(crossed[levels.solid_of(f)]);
@@ -74,8 +81,10 @@ std::vector<float> warmer_in_pictures(const Prepared& prepared, const CheckPoint
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const std::uint32_t f = points.point[k].surface;
         warmer[k] += kelvins[f] * (on_patch.fraction[k] - fraction[f]);
+        const float on_whole = on_patch.fraction[points.point.size() + k];
+        at.by_sun[k] = kelvins[f] * (fraction[f] - on_whole);
     }
-    return warmer;
+    return at;
 }
 
 /// [K] 2.5th and 97.5th percentile of the rms where points are drawn again with replacement.
@@ -93,6 +102,21 @@ std::pair<double, double> interval(const std::vector<double>& of_point, std::siz
     }
     std::sort(rms.begin(), rms.end());
     return {rms[draws / 40], rms[draws - 1 - draws / 40]};
+}
+
+/// [m] Of the points' facets of a material.
+double median_edge(const Prepared& prepared, const CheckPoints& points,
+                   const std::string& material) {
+    const FacetSet& surfaces = prepared.world.surfaces();
+    std::vector<double> edge;
+    for (const CheckPoint& point : points.point) {
+        if (prepared.scene.materials[surfaces.material[point.surface]].kind() != material) continue;
+        edge.push_back(std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[point.surface]}));
+    }
+    if (edge.empty()) return 0.0;
+    const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
+    std::nth_element(edge.begin(), middle, edge.end());
+    return *middle;
 }
 
 /// Squares [K²] and how many.
@@ -115,18 +139,22 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     std::map<std::uint32_t, Sum> observers;
     std::map<std::string, Sum> materials;
     std::vector<double> of_point(count, 0.0);  // [K²] summed over instants
-    double squares = 0.0, by_rays = 0.0;
+    double squares = 0.0, by_rays = 0.0, by_sun = 0.0, of_objects = 0.0;
     for (std::size_t a = 0; a < asked; ++a) {
         const std::size_t i = asked > 1 ? a * (all - 1) / (asked - 1) : 0;
         const std::span<const float> kelvin = field.at(i);
-        const std::vector<float> warmer =
-            warmer_in_pictures(prepared, points, near, field.instant[i], kelvin);
+        const AtPoints shown = in_pictures(prepared, points, near, field.instant[i], kelvin);
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t f = points.point[k].surface;
             const float* const patch = patches.data() + 2 * i * count;
-            const double e = double{kelvin[f]} + double{warmer[k]} - double{patch[k]};
+            const double e = double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]};
             const double ray = double{kelvin[f]} - double{patch[count + k]};
             by_rays += ray * ray;
+            const double sun = std::min(ray * ray, double{shown.by_sun[k]} * shown.by_sun[k]);
+            by_sun += sun;
+            const bool object =
+                prepared.world.texture_levels.solid_of(f) >= prepared.world.ground_facets;
+            if (object) of_objects += ray * ray - sun;
             off.push_back(std::abs(e));
             squares += e * e;
             of_point[k] += e * e;
@@ -144,6 +172,11 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     }
     error.rms = std::sqrt(squares / double(off.size()));
     error.by_rays = std::sqrt(by_rays / double(off.size()));
+    const double all_points = double(off.size());
+    error.parts = {.ground_rays = (by_rays - by_sun - of_objects) / all_points,
+                   .object_rays = of_objects / all_points,
+                   .sun_rays = by_sun / all_points,
+                   .size = std::max(0.0, squares - by_rays) / all_points};
     std::tie(error.low, error.high) = interval(of_point, asked, prepared.scene.seed);
     const auto hundredth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 99 / 100);
     std::nth_element(off.begin(), hundredth, off.end());
@@ -157,6 +190,11 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     }
     std::stable_sort(error.share.begin(), error.share.end(),
                      [](const auto& a, const auto& b) { return a.rms > b.rms; });
+    if (!error.share.empty()) {
+        error.parts.material = error.share.front().name;
+        error.parts.edge = median_edge(prepared, points, error.parts.material);
+    }
+    error.set = recommended_settings(error.parts, prepared.scene, prepared.scene.tolerance);
     return error;
 }
 
@@ -190,10 +228,10 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
         fmt::join(materials, ", "));
     line += unchecked;
     if (tolerance > 0.0 && error.low > tolerance) {
-        line += fmt::format("; this is more than tolerance_K = {:g}: {}", tolerance,
-                            error.by_rays * error.by_rays > 0.5 * error.rms * error.rms
-                                ? "larger scene.sky_rays and scene.sun_samples reduce it"
-                                : "a smaller largest_edge_m of ground and objects reduces it");
+        line += fmt::format("; this is more than tolerance_K = {:g}", tolerance);
+        if (!error.set.empty()) {
+            line += fmt::format("; to meet it, set {}", in_words(error.set, error.parts.material));
+        }
     }
     return line;
 }

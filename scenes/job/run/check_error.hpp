@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/job/run/check_points.hpp"
+#include "scenes/job/run/recommended.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -21,11 +22,14 @@ struct CheckError {
     double rms = 0.0;              // [K] over points and instants
     double low = 0.0, high = 0.0;  // [K] 95 % interval of rms by bootstrap over points
     double by_rays = 0.0;          // [K] rms, of facets against themselves with more rays
-    double percentile_99 = 0.0;    // [K]
-    double worst = 0.0;            // [K]
-    std::string worst_at;          // description: facet, material, local time
-    std::vector<Of> observer;      // those with points
-    std::vector<Of> share;         // materials, by their part of the squared error, 0 to 1
+    ErrorParts parts{};            // of the mean square
+    std::vector<Recommended>
+        set{};                   // settings that bring the rms below the tolerance; empty: it is
+    double percentile_99 = 0.0;  // [K]
+    double worst = 0.0;          // [K]
+    std::string worst_at;        // description: facet, material, local time
+    std::vector<Of> observer;    // those with points
+    std::vector<Of> share;       // materials, by their part of the squared error, 0 to 1
 };
 
 /// Compares the temperatures in pictures at the points (facets' temperatures with sub-facet

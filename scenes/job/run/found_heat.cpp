@@ -24,6 +24,7 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     if (!field.water.empty()) return std::nullopt;
     TemperatureField some{.instant = wanted, .facets = field.facets, .kelvin = {}};
     some.solved_as = std::move(field.solved_as);
+    some.representative_rms = field.representative_rms;
     some.kelvin.reserve(wanted.size() * field.facets);
     for (const Instant when : wanted) {
         const auto at = std::lower_bound(field.instant.begin(), field.instant.end(), when);

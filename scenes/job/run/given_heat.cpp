@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "materials/base/error.hpp"
-#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/job/store/heat_inputs.hpp"
 #include "scenes/job/store/inputs.hpp"
 #include "scenes/job/world/movers.hpp"
@@ -102,23 +101,6 @@ GivenHeat given_heat(const Prepared& prepared, const std::vector<RunInput>& inpu
             file.string(), fmt::join(changed, ", "), changed.size() == 1 ? "is" : "are"));
     }
     return given;
-}
-
-void check_solved(const Stages& stages, const TemperatureField& field, const fs::path& file) {
-    if (field.solved_as.empty()) return;
-    const std::vector<float> share = picture_shares(stages);
-    float most = 0.0f;
-    for (std::size_t f = 0; f < share.size(); ++f) {
-        if (field.solved_as[f] != f) most = std::max(most, share[f]);
-    }
-    if (most == 0.0f) return;
-    throw InputError(
-        file.string(),
-        fmt::format(
-            "these temperatures were computed for other pictures (tolerance_K): a facet that fills "
-            "{:.3g} % of a picture has the temperature of a representative facet",
-            100.0f * most),
-        "run the scene with these observers, or solve it without tolerance_K");
 }
 
 }  // namespace diurna

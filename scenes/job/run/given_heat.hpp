@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "scenes/job/plan/prepared.hpp"
-#include "scenes/job/run/stages.hpp"
 #include "scenes/job/store/inputs.hpp"
 #include "thermal/temperature_field.hpp"
 
@@ -24,10 +23,5 @@ struct GivenHeat {
 /// - inputs: run_inputs() of the scene
 GivenHeat given_heat(const Prepared& prepared, const std::vector<RunInput>& inputs,
                      const std::filesystem::path& file);
-
-/// Throws InputError for pictures of facets that the run of `file` did not solve but took from
-/// representatives (tolerance_K).
-void check_solved(const Stages& stages, const TemperatureField& field,
-                  const std::filesystem::path& file);
 
 }  // namespace diurna

@@ -230,8 +230,11 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));
     }
     if (needed) {
+        result.temperature.representative_rms =
+            std::max(probed_difference(*needed, result.temperature),
+                     represented_difference(*needed, result.temperature));
         result.notes.push_back(reported(*needed, result.temperature));
-    } else if (scene.scene.tolerance > 0.0) {
+    } else if (scene.scene.tolerance_given && scene.scene.tolerance > 0.0) {
         result.notes.push_back("solved: all facets; tolerance_K is not used: " +
                                decision.every_facet);
     }

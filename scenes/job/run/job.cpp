@@ -17,8 +17,10 @@
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/ledger.hpp"
 #include "scenes/job/run/manifest.hpp"
+#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/job/run/pictures_there.hpp"
 #include "scenes/job/run/radiometers.hpp"
+#include "scenes/job/run/represented.hpp"
 #include "scenes/job/run/run_folder.hpp"
 #include "scenes/job/warnings/scene_warnings.hpp"
 #include "scenes/products/labels/label_frames.hpp"
@@ -87,10 +89,20 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     return std::move(heat.result.temperature);
 }
 
-/// Temperatures that are given. Throws InputError where they are not of these pictures.
+/// What was reported of the heat balance when it was solved, in this run or the one it is kept
+/// from.
+void report_heat(HeatReport heat, JobReport& report) {
+    report.not_converged = std::move(heat.not_converged);
+    report.start = std::move(heat.start);
+    report.notes.insert(report.notes.end(), heat.notes.begin(), heat.notes.end());
+    report.heat.insert(report.heat.end(), heat.rows.begin(), heat.rows.end());
+}
+
+/// Temperatures that are given; solved instead if too many visible facets have a representative's
+/// there. Throws InputError where they are not of this scene.
 TemperatureField given_field(const Stages& stages, const Manifest& manifest,
                              const std::vector<ObserverInput>& chosen, const fs::path& file,
-                             JobReport& report) {
+                             Progress& progress, JobReport& report) {
     std::vector<RunInput> inputs = manifest.inputs;
     inputs.pop_back();  // the temperatures themselves
     GivenHeat given = given_heat(stages.scene(), inputs, file);
@@ -98,8 +110,22 @@ TemperatureField given_field(const Stages& stages, const Manifest& manifest,
     for (const ObserverInput& observer : chosen)
         frames.insert(frames.end(), observer.frames.begin(), observer.frames.end());
     check_covers(given.field, frames, file);
-    check_solved(stages, given.field, file);
     report.warnings.insert(report.warnings.end(), given.warnings.begin(), given.warnings.end());
+    if (!given.field.solved_as.empty()) {
+        progress.stage(StageId::sky_view);
+        const double tolerance = stages.scene().scene.tolerance;
+        const RepresentedEffect effect =
+            represented_effect(stages, given.field, picture_shares(stages));
+        report.notes.push_back(in_words(effect, file, tolerance, "facets that the pictures need"));
+        if (!effect.within(tolerance)) {
+            SceneHeat heat =
+                scene_heat(stages, inputs, progress, stages.scene().plan.decisions.heat);
+            report.solve = heat.result.report;
+            report.solved = heat.solved;
+            report_heat(std::move(heat.report), report);
+            return std::move(heat.result.temperature);
+        }
+    }
     report.heat.emplace_back("temperatures", "from file: " + file.filename().string());
     return std::move(given.field);
 }
@@ -120,15 +146,6 @@ std::string resumed(const fs::path& out, const std::string& earlier, const std::
     return fmt::format("--resume: {}, {} of {} reused from the earlier run in {}",
                        temperatures ? "temperatures reused" : "temperatures computed", reused,
                        number_of(all, "frame"), out.string());
-}
-
-/// What was reported of the heat balance when it was solved, in this run or the one it is kept
-/// from.
-void report_heat(HeatReport heat, JobReport& report) {
-    report.not_converged = std::move(heat.not_converged);
-    report.start = std::move(heat.start);
-    report.notes.insert(report.notes.end(), heat.notes.begin(), heat.notes.end());
-    report.heat.insert(report.heat.end(), heat.rows.begin(), heat.rows.end());
 }
 
 /// The report before anything is computed.
@@ -167,7 +184,8 @@ class Job {
         take_parts();
         TemperatureField given;
         if (!options_.temperatures.empty()) {
-            given = given_field(stages_, manifest_, chosen_, options_.temperatures, report_);
+            given =
+                given_field(stages_, manifest_, chosen_, options_.temperatures, progress_, report_);
         }
         const bool earlier = take_earlier();
         const FolderLock lock(out_);
@@ -217,7 +235,9 @@ class Job {
             : ledger.has(report_.files)
                 ? load_temperature_field(out_ / "temperatures.nc")
                 : write_found(stages_, manifest_, out_, progress_, ledger, report_);
-        report_heat(heat_report_of(ledger.reported("temperatures.nc")), report_);
+        if (options_.temperatures.empty()) {
+            report_heat(heat_report_of(ledger.reported("temperatures.nc")), report_);
+        }
         manifest_.not_converged = report_.not_converged;
         manifest_.start = report_.start;
         if (std::string taken = taken_reported(stages_.store()); !taken.empty()) {

@@ -251,7 +251,9 @@ void draw_probes(const std::vector<std::uint32_t>& others, const std::vector<flo
         along -= double{worth[f]} + little;
         if (along > 0.0) continue;
         while (along <= 0.0) along += step;
-        if (!solved[f]) needed.probe.push_back({f, representative[f]});
+        if (solved[f]) continue;
+        const double probability = std::min(1.0, (double{worth[f]} + little) / step);
+        needed.probe.push_back({f, representative[f], 1.0 / probability});
     }
     for (const NeededFacets::Probe& probe : needed.probe) {
         solved[probe.facet] = 1;
@@ -299,17 +301,40 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
     return needed;
 }
 
-double probed_difference(const NeededFacets& needed, const TemperatureField& field) {
+namespace {
+
+/// - facets(probe): how much it counts
+template <class Facets>
+double rms_of_probes(const NeededFacets& needed, const TemperatureField& field,
+                     const Facets& facets) {
     double sum = 0.0, count = 0.0;
     for (std::size_t i = 0; i < field.instant.size(); ++i) {
         const auto kelvin = field.at(i);
         for (const NeededFacets::Probe& probe : needed.probe) {
             const double apart = double{kelvin[probe.facet]} - double{kelvin[probe.kind]};
-            sum += apart * apart;
-            count += 1.0;
+            sum += facets(probe) * apart * apart;
+            count += facets(probe);
         }
     }
     return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+}  // namespace
+
+double probed_difference(const NeededFacets& needed, const TemperatureField& field) {
+    return rms_of_probes(needed, field, [](const NeededFacets::Probe&) { return 1.0; });
+}
+
+double represented_difference(const NeededFacets& needed, const TemperatureField& field) {
+    return rms_of_probes(needed, field,
+                         [](const NeededFacets::Probe& probe) { return probe.facets; });
+}
+
+double represented_weight(const Stages& stages, std::span<const NetworkObject> network,
+                          const std::vector<float>& share,
+                          const std::vector<std::uint8_t>& solved) {
+    const Marked marked = marked_facets(stages.scene().world, network, share);
+    return weight_of(worth_of(stages, network, marked, share).coupled, solved, false);
 }
 
 }  // namespace diurna

@@ -22,6 +22,7 @@ struct NeededFacets {
     /// representative.
     struct Probe {
         std::uint32_t facet, kind;
+        double facets = 1.0;  // that it was drawn from: 1 / its probability
     };
     std::vector<Probe> probe;
     std::size_t seen = 0, coupled = 0, kinds = 0;
@@ -38,5 +39,16 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
 
 /// Difference of probes from their representatives [K]: rms over probes and instants.
 double probed_difference(const NeededFacets& needed, const TemperatureField& field);
+
+/// The same as an estimate for all facets that have a representative, coupled or not.
+double represented_difference(const NeededFacets& needed, const TemperatureField& field);
+
+/// NeededFacets::weight of other pictures and other solved facets.
+///
+/// - share: (facet) largest share of any of these pictures that it fills
+///   (scenes/job/run/picture_shares.hpp)
+/// - solved: (facet) 1 if its temperature is its own
+double represented_weight(const Stages& stages, std::span<const NetworkObject> network,
+                          const std::vector<float>& share, const std::vector<std::uint8_t>& solved);
 
 }  // namespace diurna

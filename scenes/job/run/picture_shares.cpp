@@ -11,10 +11,10 @@ namespace diurna {
 namespace {
 
 /// Adds what one picture sees, the most of it and of what is there already.
-void add_picture(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
-                 Instant when, std::vector<float>& share) {
+void add_picture(const Prepared& prepared, int samples, const Observer& pose, Instant when,
+                 std::vector<float>& share) {
     const FacetSet& surfaces = prepared.world.surfaces();
-    const ViewOptions sampling{.samples = input.samples,
+    const ViewOptions sampling{.samples = samples,
                                .seed = prepared.scene.seed,
                                .texture_levels = &prepared.world.texture_levels};
     View view = cast_view(prepared.rays, surfaces, pose, sampling);
@@ -56,10 +56,20 @@ std::vector<float> picture_shares(const Stages& stages, int most_poses) {
             const std::size_t asked = std::min(poses, static_cast<std::size_t>(most_poses));
             for (std::size_t i = 0; i < asked; ++i) {
                 const std::size_t frame = frames[asked > 1 ? i * (poses - 1) / (asked - 1) : 0];
-                add_picture(stages.at(s).prepared, scene.scene.observers[o], sequence.at(frame),
-                            sequence.frame[frame], share);
+                add_picture(stages.at(s).prepared, scene.scene.observers[o].samples,
+                            sequence.at(frame), sequence.frame[frame], share);
             }
         }
+    }
+    return share;
+}
+
+std::vector<float> view_shares(const Stages& stages, std::span<const SeenView> views) {
+    const Movement& movement = stages.scene().movement;
+    std::vector<float> share(stages.scene().world.surfaces().size(), 0.0f);
+    for (const SeenView& view : views) {
+        const std::size_t stage = movement.none() ? 0 : movement.stage_of(view.when);
+        add_picture(stages.at(stage).prepared, view.samples, view.eye, view.when, share);
     }
     return share;
 }

@@ -89,7 +89,7 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
         behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);
     std::optional<SecondarySampling> by_need;
-    if (adaptive) {
+    if (adaptive && !scene.exact) {
         by_need = SecondarySampling{*adaptive, looks};
         // Of each such pixel by itself, not of the picture: most of them would take all they may.
         if (!s.input.adaptive) by_need->options.tolerance = 0.05;

@@ -153,7 +153,8 @@ SunExposure DailySunExposure::of(const std::vector<Instant>& instants) {
 }
 
 SunExposure DailySunExposure::found(const std::vector<Instant>& instants) {
-    const int since = before_ ? days_between(before_->instant, instants) : -1;
+    int since = before_ ? days_between(before_->instant, instants) : -1;
+    if (prepared_.scene.exact && since != 0) since = -1;
     const int ahead = after_ ? days_between(before_->instant, after_->instant) : 0;
     if (since == 0 || (since > 0 && since == ahead)) {
         if (since > 0) before_ = std::exchange(after_, std::nullopt);

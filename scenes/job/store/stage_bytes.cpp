@@ -71,6 +71,7 @@ void fields(Archive& archive, FoundHeat& heat) {
     whole(archive, field.water.facet);
     whole(archive, field.water.cover);
     whole(archive, field.solved_as);
+    archive(field.representative_rms);
     archive(heat.reported);
 }
 

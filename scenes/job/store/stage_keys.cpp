@@ -93,6 +93,28 @@ void add_relief(const HeightField& relief, KeyFacts& facts) {
     }
 }
 
+/// What the pictures show: poses and rays, not bands.
+void add_views(const Prepared& prepared, KeyFacts& facts) {
+    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
+        const Sequence& sequence = prepared.sequences[o];
+        facts.number(prepared.scene.observers[o].samples);
+        for (const Instant when : sequence.frame) facts.number(seconds_between(Instant{}, when));
+        for (const Observer& eye : sequence.pose) {
+            for (const Eigen::Vector3d& of : {eye.position, eye.velocity, eye.turning}) {
+                facts.array<double>({of.data(), 3});
+            }
+            for (const double of :
+                 {eye.azimuth_deg, eye.elevation_deg, eye.roll_deg, eye.horizontal_fov_deg,
+                  eye.picture_width, eye.row_time, eye.exposure}) {
+                facts.number(of);
+            }
+            facts.number(eye.width);
+            facts.number(eye.height);
+            facts.number(static_cast<int>(eye.projection));
+        }
+    }
+}
+
 void add_visibility(const Prepared& prepared, KeyFacts& facts) {
     const World& world = prepared.world;
     const FacetSet& facets = world.facets;
@@ -157,14 +179,15 @@ std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inpu
     const Scene& scene = prepared.scene;
     KeyFacts facts("heat");
     facts.line(visibility_key(prepared));
-    const bool pictures_count = tolerance > 0.0 || !prepared.movement.none();
+    const bool moves = !prepared.movement.none(), pictures_count = tolerance > 0.0 || moves;
     std::vector<RunInput> others;
     for (const RunInput& input : inputs) {
         const bool is_scene = input.path.lexically_normal() == scene.file.lexically_normal();
         if (!is_scene) others.push_back(input);
     }
     facts.line(job_key(others, {}));
-    facts.line(pictures_count ? scene.said : scene.said_but_for_pictures);
+    facts.line(moves ? scene.said : scene.said_but_for_pictures);
+    if (tolerance > 0.0) add_views(prepared, facts);
     facts.number(tolerance);
     facts.number(scene.check_points);
     const SpanOptions span = scene_span(scene);

@@ -29,8 +29,8 @@ std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instan
 
 /// Key of the temperatures of a scene that is unchanged since it was read, for any stored instants:
 /// from the content of its file except tables used only by pictures, the content of all other
-/// inputs, and positions of objects. If pictures determine what is solved (tolerance_K), and if
-/// objects move, these tables are included.
+/// inputs, and positions of objects. If pictures determine what is solved (tolerance_K), their
+/// poses and instants are included; if objects move, all tables of pictures.
 ///
 /// - inputs: of the run
 /// - tolerance: [K] of the solution (scenes/job/run/heat.hpp)

@@ -22,7 +22,9 @@ void add_steps_around(Instant when, const std::vector<Instant>& steps, std::vect
 SpanOptions scene_span(const Scene& scene) {
     constexpr double curve_every = 1800.0, longest_curve = 2.0 * 86400.0;  // [s]
     const TimeInput& time = scene.time;
-    SpanOptions span{.day = {.step = time.step},
+    SolveOptions day{.step = time.step};
+    if (scene.exact) day.least_dew = 0.0;
+    SpanOptions span{.day = day,
                      .start = time.start,
                      .end = time.end(),
                      .begin = time.spin_up,

@@ -43,6 +43,12 @@ Found inspect_temperatures(const std::filesystem::path& file) {
                   {"site_height_m", {mesh.site.height}},
                   {"water_followed_facets", {static_cast<long long>(field.water.facet.size())}},
                   {"all_facets_solved", {field.solved_as.empty()}}};
+    if (!field.solved_as.empty()) {
+        long long solved = 0;
+        for (std::size_t f = 0; f < field.facets; ++f) solved += field.solved_as[f] == f ? 1 : 0;
+        found.fact.push_back({"solved_facets", {solved}});
+        found.fact.push_back({"representative_rms_K", {field.representative_rms}});
+    }
     const std::vector<NamedGroup> groups = all_groups(mesh);
     for (const char* kind : {"material", "object"}) {
         found.table.push_back(named(kind, groups, facets.area));

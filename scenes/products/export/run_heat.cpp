@@ -48,6 +48,28 @@ RunHeat load_run_heat(const std::filesystem::path& folder) {
     return heat;
 }
 
+std::string represented_note(const RunHeat& heat) {
+    const TemperatureField& field = heat.field;
+    if (field.solved_as.empty()) return "";
+    std::size_t count = 0;
+    double own = 0.0, all = 0.0;
+    for (std::size_t f = 0; f < field.facets; ++f) {
+        const double area = heat.mesh.facets.area[f];
+        all += area;
+        if (field.solved_as[f] == f) continue;
+        ++count;
+        own += area;
+    }
+    return fmt::format(
+        "{} of {} facets, {:.3g} % of the area, have a representative's temperature{}; "
+        "exact = true in the scene solves all facets",
+        count, field.facets, all > 0.0 ? 100.0 * own / all : 0.0,
+        field.representative_rms > 0.0
+            ? fmt::format(", which differs from their own by {:.2g} K rms",
+                          field.representative_rms)
+            : "");
+}
+
 HeatAt heat_at(const RunHeat& heat, Instant when) { return {when, heat.field.interpolate(when)}; }
 
 std::vector<Instant> asked_instants(const RunHeat& heat, std::span<const std::string> texts) {

@@ -22,6 +22,10 @@ struct RunHeat {
 /// file.
 RunHeat load_run_heat(const std::filesystem::path& folder);
 
+/// Which part of the facets has a representative's temperature, and how far that is from their own,
+/// in one line; "" if all facets were solved.
+std::string represented_note(const RunHeat& heat);
+
 /// Instants, and the temperature of every facet at each of them.
 struct HeatAt {
     Instant when;

@@ -97,6 +97,9 @@ std::string vtu_text(const RunHeat& heat, const HeatAt& at) {
     text += array("Float32", "temperature_K", at.kelvin);
     text += array("Int32", "material", numbers(facets.material));
     text += array("Int32", "object", numbers(facets.object));
+    if (const auto& as = heat.field.solved_as; !as.empty()) {
+        text += array("Int32", "solved_as", std::vector<std::int32_t>(as.begin(), as.end()));
+    }
     text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     return text;
 }

@@ -129,7 +129,7 @@ WaterStore read_store(const Section& section) {
         "capacity_mm",
         "water that level ground retains; the excess runs off, and slopes retain less (Kidd 1978)",
         {0.0, 1000.0});
-    store.wet_albedo = section.number_or("wet_albedo", "emissivity where wet",
+    store.wet_albedo = section.number_or("wet_albedo", "albedo where wet",
                                          {-1.0, "that of the dry surface"}, {0.0, 1.0});
     store.leaves = section.flag_or("leaves", "facets of any slope retain as much", false);
     return store;
@@ -290,7 +290,8 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     if (section.has("back")) {
         thermal.back = read_back(
             section.section("back",
-                            "the open back of a thin plate. An open mesh (scenes/README.md) always "
+                            "the open back of a thin plate. An open mesh "
+                            "(docs/reference/targets.md#open-meshes) always "
                             "has one; without this key it has the properties of the front"));
         if (thermal.back) close_bottom(section, thermal);
     }

@@ -34,7 +34,7 @@ class Check(NamedTuple):
 class Plan(dict[str, Any]):
     """What a run would compute.
 
-    A dictionary: `facets`, `pictures`, `seconds` and `memory_bytes` (estimates), `stages` (seconds by name), `frames`
+    A dictionary: `facets`, `views` (an observer at an instant), `pictures` (a view in a band), `seconds` and `memory_bytes` (estimates), `stages` (seconds by name), `frames`
     (datetime64, UTC), `decisions` (dictionaries: what is computed or skipped, why, at which error), `text`.
     """
 
@@ -42,7 +42,7 @@ class Plan(dict[str, Any]):
         return str(self["text"])
 
     def _repr_html_(self) -> str:
-        head = f"<p>{self['facets']} facets, {self['pictures']} pictures, about {self['seconds']:.0f} s, {self['memory_bytes'] / 1e6:.0f} MB</p>"
+        head = f"<p>{self['facets']} facets, {self['views']} views, {self['pictures']} pictures, about {self['seconds']:.0f} s, {self['memory_bytes'] / 1e6:.0f} MB</p>"
         rows = [[one["what"], "yes" if one["computed"] else "no", one["why"]] for one in self["decisions"]]
         return head + table_html(["what", "computed", "why"], rows)
 
@@ -145,10 +145,10 @@ class Run:
         return dict(json.loads((self.folder / "annotations.json").read_text(encoding="utf-8")))
 
     def __repr__(self) -> str:
-        return f"<diurna.Run {self.folder}: {self.facets} facets, {self.frames_rendered} pictures, {self.seconds:.1f} s>"
+        return f"<diurna.Run {self.folder}: {self.facets} facets, {self.frames_rendered} views, {self.seconds:.1f} s>"
 
     def _repr_html_(self) -> str:
-        shown = f"<p>{self.folder}: {self.facets} facets, {self.frames_rendered} pictures, {self.seconds:.1f} s</p>"
+        shown = f"<p>{self.folder}: {self.facets} facets, {self.frames_rendered} views, {self.seconds:.1f} s</p>"
         stored = self.folder / "temperatures.nc"
         if stored.exists() and stored.stat().st_size < _largest_shown_bytes:
             shown += _temperatures_svg(self.temperatures()) + "<br/>"

@@ -75,6 +75,7 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
         decisions.append(one);
     }
     out["facets"] = plan.facets;
+    out["views"] = plan.views;
     out["pictures"] = plan.pictures;
     out["memory_bytes"] = plan.memory;
     out["seconds"] = plan.seconds;

@@ -121,11 +121,14 @@ Oversampling oversampling_of(const Instrument& instrument, const SystemMtf& mtf)
         found.times = 2;
         while (found.times < 6 && left_at(found.times) > 0.05) ++found.times;
     }
+    const double left = left_at(found.times);
     found.why = fmt::format(
         "{} radiance samples per pixel and axis{}: frequencies above {:.3g} cycles/mm are aliased, "
-        "the blur reduces them to {:.2f} or less; the pixels resolve {:.3g} cycles/mm",
+        "the blur reduces them to {}; the pixels resolve {:.3g} cycles/mm",
         found.times, instrument.oversampling > 0 ? " (set in the scene)" : "",
-        0.5e-3 * found.times / pitch, left_at(found.times), 0.5e-3 / pitch);
+        0.5e-3 * found.times / pitch,
+        left < 0.005 ? std::string("less than 0.005") : fmt::format("{:.2f} or less", left),
+        0.5e-3 / pitch);
     return found;
 }
 

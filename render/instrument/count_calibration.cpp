@@ -9,6 +9,13 @@
 
 namespace diurna {
 
+namespace {
+
+/// A count, without the rounding error of a zero.
+double no_rounding(double count) { return std::abs(count) < 1e-9 ? 0.0 : count; }
+
+}  // namespace
+
 std::vector<CalibrationPoint> calibration(const Camera& camera, const Band& band, double low,
                                           double high, double step) {
     const Instrument& instrument = camera.instrument;
@@ -38,8 +45,9 @@ std::string calibration_csv(const Camera& camera, const std::vector<CalibrationP
         fmt::format("temperature_K,radiance_W_m2_sr,signal_{},counts,counts_per_K,netd_mK\n",
                     camera.instrument.detector.kind == DetectorKind::photon ? "electrons" : "pW");
     for (const CalibrationPoint& p : points) {
-        text += fmt::format("{:g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", p.temperature, p.radiance,
-                            p.signal, p.counts, p.counts_per_K, 1e3 * p.netd);
+        text +=
+            fmt::format("{:g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", p.temperature, p.radiance,
+                        p.signal, no_rounding(p.counts), no_rounding(p.counts_per_K), 1e3 * p.netd);
     }
     return text;
 }

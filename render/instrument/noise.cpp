@@ -68,7 +68,12 @@ Noise noise_of(const Instrument& instrument, const Response& response) {
             throw InputError("instrument " + instrument.name,
                              fmt::format("a NETD of {:.3g} mK is less than the {:.3g} mK of shot "
                                          "noise and 1/f noise alone",
-                                         1e3 * detector.netd, 1e3 * std::sqrt(others) / slope));
+                                         1e3 * detector.netd, 1e3 * std::sqrt(others) / slope),
+                             detector.kind == DetectorKind::photon
+                                 ? "raise detector.netd_mK, lower optics.f_number, or raise "
+                                   "detector.integration_time_ms"
+                                 : "raise detector.netd_mK, lower optics.f_number, or lower "
+                                   "detector.flicker_noise");
         }
         noise.pixel = std::sqrt(lacking);
     }

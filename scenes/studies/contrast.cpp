@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -148,8 +149,8 @@ ContrastRow contrast_row(const Frame& frame, const std::string& band, const Targ
     row.background = means.background;
     // (T50) of docs/theory.md
     row.rss = std::hypot(means.difference, means.spread);
-    const int side = 2 * std::max(place.width, place.height);
-    row.clutter = place.width > 0 ? cell_clutter(plane, place.in, side).level : none;
+    row.clutter_side = 2 * std::max(place.width, place.height);
+    row.clutter = place.width > 0 ? cell_clutter(plane, place.in, row.clutter_side).level : none;
     row.signal_to_clutter = std::abs(row.difference) / row.clutter;
     row.edge = mean_gradient(plane, place.border);
     std::vector<std::uint8_t> behind = place.around;
@@ -265,6 +266,66 @@ std::vector<double> at_ranges(const Prepared& prepared, const ContrastInput& inp
     return found;
 }
 
+/// Counts the rows in which the target is hidden, too.
+ContrastSummary summary_of(ContrastReport& report, const ContrastInput& input, std::size_t target,
+                           std::size_t band, std::size_t observer) {
+    const std::size_t absent = report.row.size();
+    ContrastSummary summary{.target = target,
+                            .band = band,
+                            .observer = observer,
+                            .highest = absent,
+                            .lowest = absent,
+                            .at_range = {}};
+    double seen = 0.0, all = 0.0;
+    for (std::size_t r = 0; r < report.row.size(); ++r) {
+        const ContrastRow& row = report.row[r];
+        if (row.target != target || row.observer != observer || row.band != input.bands[band]) {
+            continue;
+        }
+        if (std::isnan(row.rss)) {
+            ++report.hidden;
+            continue;
+        }
+        all += 1.0;
+        seen += row.rss > input.threshold ? 1.0 : 0.0;
+        if (summary.lowest == absent || row.rss < report.row[summary.lowest].rss) {
+            summary.lowest = r;
+        }
+        if (summary.highest == absent || row.rss > report.row[summary.highest].rss) {
+            summary.highest = r;
+        }
+    }
+    summary.share = all > 0.0 ? seen / all : none;
+    return summary;
+}
+
+/// Renders the pictures of the highest contrasts again, with half the samples.
+void add_sampling_changes(const Stages& stages, const ContrastInput& input,
+                          const TemperatureField& field, ContrastReport& report) {
+    const Prepared& prepared = stages.scene();
+    for (std::size_t o = 0; o < input.observers.size(); ++o) {
+        const std::size_t observer = input.observers[o];
+        const std::vector<Instant>& frames = prepared.sequences[observer].frame;
+        std::map<std::size_t, std::vector<ContrastSummary*>> of_frame;
+        for (ContrastSummary& one : report.summary) {
+            if (one.observer != o || one.highest == report.row.size()) continue;
+            const Instant when = report.row[one.highest].when;
+            const auto k = std::find(frames.begin(), frames.end(), when) - frames.begin();
+            of_frame[static_cast<std::size_t>(k)].push_back(&one);
+        }
+        const int samples = std::max(1, prepared.scene.observers[observer].samples / 2);
+        Pictures fewer(stages, observer, input.bands, samples, field);
+        for (const auto& [k, summaries] : of_frame) {
+            const Pictures::Shot shot = fewer.take(k, input);
+            for (ContrastSummary* one : summaries) {
+                const ContrastRow again =
+                    contrast_row(shot.frame, input.bands[one->band], shot.place[one->target]);
+                one->sampling_change = std::abs(again.rss - report.row[one->highest].rss);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
@@ -305,38 +366,15 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
     }
     for (std::size_t t = 0; t < targets; ++t) {
         for (std::size_t b = 0; b < bands; ++b) {
-            WorstContrast worst{.row = report.row.size(), .at_range = {}};
-            double seen = 0.0, all = 0.0;
-            worst.least = none;
-            for (std::size_t r = 0; r < report.row.size(); ++r) {
-                const ContrastRow& row = report.row[r];
-                if (row.target != t || row.band != input.bands[b]) continue;
-                if (std::isnan(row.rss)) {
-                    ++report.hidden;
-                    continue;
-                }
-                all += 1.0;
-                seen += row.rss > input.threshold ? 1.0 : 0.0;
-                if (!(row.rss >= worst.least)) worst.least = row.rss;
-                if (worst.row == report.row.size() || row.rss > report.row[worst.row].rss) {
-                    worst.row = r;
-                }
+            for (std::size_t o = 0; o < input.observers.size(); ++o) {
+                report.summary.push_back(summary_of(report, input, t, b, o));
             }
-            worst.share = all > 0.0 ? seen / all : none;
-            if (worst.row < report.row.size()) {
-                const ContrastRow& row = report.row[worst.row];
-                const std::size_t observer = input.observers[row.observer];
-                const int samples = prepared.scene.observers[observer].samples;
-                const std::vector<Instant>& frames = prepared.sequences[observer].frame;
-                const auto k = std::find(frames.begin(), frames.end(), row.when) - frames.begin();
-                Pictures fewer(stages, observer, {row.band}, std::max(1, samples / 2), field);
-                const Pictures::Shot shot = fewer.take(static_cast<std::size_t>(k), input);
-                worst.error =
-                    std::abs(contrast_row(shot.frame, row.band, shot.place[t]).rss - row.rss);
-                worst.at_range = at_ranges(prepared, input, row);
-            }
-            report.worst.push_back(std::move(worst));
         }
+    }
+    add_sampling_changes(stages, input, field, report);
+    for (ContrastSummary& one : report.summary) {
+        if (one.highest == report.row.size()) continue;
+        one.at_range = at_ranges(prepared, input, report.row[one.highest]);
     }
     return report;
 }

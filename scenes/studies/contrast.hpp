@@ -25,6 +25,7 @@ struct ContrastRow {
     double background = 0.0;                         // the background's mean
     double rss = 0.0;                                // √(difference² + spread²)
     double clutter = 0.0;                            // (render/detection/busy_background.hpp)
+    int clutter_side = 0;                            // [pixels] of its square cells
     double signal_to_clutter = 0.0;                  // |difference| / clutter
     double edge = 0.0;                               // [K/pixel] mean gradient at its border,
     double background_edge = 0.0;                    // and in the background
@@ -34,19 +35,20 @@ struct ContrastRow {
     double weber = 0.0;     // that divided by the background's
 };
 
-/// The worst case of a treatment.
-struct WorstContrast {
-    std::size_t row = 0;           // of the report's, with the largest rss
-    double error = 0.0;            // [K] change with half the samples
+/// A target in a band from one observer, over all its pictures. Rows are the report's; its number
+/// of rows where the target is visible in no picture.
+struct ContrastSummary {
+    std::size_t target = 0, band = 0, observer = 0;  // of the input's
+    std::size_t highest = 0, lowest = 0;             // rows with the largest and the smallest rss
+    double sampling_change = 0.0;  // [K] change of the highest rss with half the samples
     double share = 0.0;            // of the pictures with rss above the threshold
-    double least = 0.0;            // [K] smallest rss of its pictures
-    std::vector<double> at_range;  // (range) [K] rss at that range; NaN behind the target
+    std::vector<double> at_range;  // (range) [K] highest rss at that range; NaN behind the target
 };
 
 struct ContrastReport {
-    std::vector<ContrastRow> row;      // by target, observer, instant, band
-    std::vector<WorstContrast> worst;  // (target · bands + band)
-    std::size_t hidden = 0;            // rows in which the target is not visible
+    std::vector<ContrastRow> row;          // by target, observer, instant, band
+    std::vector<ContrastSummary> summary;  // by target, band, observer
+    std::size_t hidden = 0;                // rows in which the target is not visible
 };
 
 /// Contrast in the pictures of a scene's observers against the pixels of the box around the target,

@@ -27,27 +27,32 @@ constexpr std::array<Column, 14> contrast_columns{
     {{"range_m", &ContrastRow::range,
       "distance to the nearest surface of the target in a pixel that it fills"},
      {"pixels", &ContrastRow::pixels,
-      "number of pixels that the target covers; edge pixels count by the share covered"},
+      "sum over the picture of the share of each pixel that the target covers"},
      {"difference_K", &ContrastRow::difference,
-      "mean apparent temperature of the target minus the background's; edge pixels are weighted by "
-      "the share covered"},
-     {"spread_K", &ContrastRow::spread, "standard deviation over pixels that the target fills"},
+      "sum of (apparent temperature of the pixel minus the background's mean) over all pixels that "
+      "the target covers at least in part, divided by pixels"},
+     {"spread_K", &ContrastRow::spread,
+      "standard deviation of apparent temperature over pixels that the target fills (share of "
+      "0.999 or more)"},
      {"rss_K", &ContrastRow::rss, "root of the sum of difference squared and spread squared"},
      {"clutter_K", &ContrastRow::clutter,
-      "root mean square of the standard deviations in cells of twice the target's size (Schmieder "
+      "root mean square of the standard deviations in square cells of twice the larger side of "
+      "the target's box, over the whole picture without cells that contain the target (Schmieder "
       "and Weathersby 1983)"},
-     {"signal_to_clutter", &ContrastRow::signal_to_clutter, "difference divided by clutter"},
+     {"signal_to_clutter", &ContrastRow::signal_to_clutter,
+      "absolute difference divided by clutter"},
      {"edge_K_per_pixel", &ContrastRow::edge, "mean gradient along the target's border (Sobel)"},
      {"background_edge_K_per_pixel", &ContrastRow::background_edge,
       "mean gradient in the background"},
      {"similarity", &ContrastRow::similarity,
       "root mean square structural similarity (Wang and others 2004) of cells of the target's "
       "size, after Chang and Zhang 2006"},
-     {"entropy_bits", &ContrastRow::entropy, "entropy of the target's pixels, in steps of 0.1 K"},
+     {"entropy_bits", &ContrastRow::entropy,
+      "entropy of the pixels that the target fills, in steps of 0.1 K"},
      {"background_entropy_bits", &ContrastRow::background_entropy,
       "entropy of the background's pixels"},
      {"radiance_W_m2_sr", &ContrastRow::radiance,
-      "mean radiance of the target minus the background's"},
+      "as difference_K, of radiance in place of apparent temperature"},
      {"weber", &ContrastRow::weber,
       "radiance difference divided by the background's mean radiance"}}};
 
@@ -60,7 +65,33 @@ OrderedJson finite(double value) {
     return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
+/// Of the row's undefined values: names and reasons.
+OrderedJson why_undefined(const ContrastRow& row, const ObserverInput& observer) {
+    OrderedJson why = OrderedJson::object();
+    if (const std::string reason = why_no_clutter(row, observer); !reason.empty()) {
+        why["clutter_K"] = reason;
+        why["signal_to_clutter"] = reason;
+    } else if (!std::isfinite(row.signal_to_clutter)) {
+        why["signal_to_clutter"] = "the clutter is 0";
+    }
+    if (!std::isfinite(row.similarity)) {
+        why["similarity"] =
+            "no cell of the size of the target's box lies in the picture without the target";
+    }
+    if (!std::isfinite(row.range)) why["range_m"] = "the target fills no pixel";
+    return why;
+}
+
 }  // namespace
+
+std::string why_no_clutter(const ContrastRow& row, const ObserverInput& observer) {
+    if (std::isfinite(row.clutter)) return "";
+    return fmt::format(
+        "no cell of {0} x {0} pixels, twice the target's size, lies in the picture of {1} x {2} "
+        "pixels without the target; to have one, enlarge width, height and horizontal_fov_deg of "
+        "\"{3}\" together",
+        row.clutter_side, observer.width, observer.height, observer.name);
+}
 
 std::string contrast_csv(const ContrastInput& input, const ContrastReport& report,
                          const Scene& scene) {
@@ -95,26 +126,34 @@ std::string contrast_json(const ContrastInput& input, const ContrastReport& repo
     for (const Column& column : contrast_columns) {
         json["columns"][column.name] = column.says;
     }
+    json["sampling_change_K"] =
+        "change of rss_K if the picture has half the samples: the error of random samples alone, "
+        "not that of the contrast";
     json["targets"] = OrderedJson::array();
-    for (std::size_t w = 0; w < report.worst.size(); ++w) {
-        const WorstContrast& worst = report.worst[w];
-        OrderedJson one{{"target", input.targets[w / input.bands.size()].name},
-                        {"band_um", input.bands[w % input.bands.size()]}};
-        one["share_of_pictures_above_threshold"] = finite(worst.share);
-        one["least_rss_K"] = finite(worst.least);
-        if (worst.row < report.row.size()) {
-            const ContrastRow& row = report.row[worst.row];
+    for (const ContrastSummary& summary : report.summary) {
+        const ObserverInput& observer = scene.observers[input.observers[summary.observer]];
+        OrderedJson one{{"target", input.targets[summary.target].name},
+                        {"band_um", input.bands[summary.band]},
+                        {"observer", observer.name}};
+        one["share_of_pictures_above_threshold"] = finite(summary.share);
+        if (summary.highest < report.row.size()) {
+            const ContrastRow& row = report.row[summary.highest];
             OrderedJson at{{"time", format_local(row.when, scene.time.utc_offset)},
-                           {"observer", observer_name(input, scene, row)},
-                           {"error_K", worst.error}};
+                           {"sampling_change_K", summary.sampling_change}};
             for (const Column& column : contrast_columns) {
                 at[column.name] = finite(row.*column.value);
             }
-            one["worst"] = std::move(at);
-            one["rss_K_at_range_m"] = OrderedJson::object();
-            for (std::size_t k = 0; k < worst.at_range.size(); ++k) {
-                one["rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
-                    finite(worst.at_range[k]);
+            if (OrderedJson why = why_undefined(row, observer); !why.empty()) {
+                at["why"] = std::move(why);
+            }
+            one["highest"] = std::move(at);
+            const ContrastRow& lowest = report.row[summary.lowest];
+            one["lowest"] = {{"time", format_local(lowest.when, scene.time.utc_offset)},
+                             {"rss_K", lowest.rss}};
+            one["highest_rss_K_at_range_m"] = OrderedJson::object();
+            for (std::size_t k = 0; k < summary.at_range.size(); ++k) {
+                one["highest_rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
+                    finite(summary.at_range[k]);
             }
         }
         json["targets"].push_back(std::move(one));

@@ -13,26 +13,32 @@ namespace diurna {
 
 namespace {
 
-/// A line for each target and band: when and from where it stands out most.
+/// "clutter 0.31 K", or why there is none.
+std::string clutter_words(const ContrastRow& row, const ObserverInput& observer) {
+    const std::string why = why_no_clutter(row, observer);
+    return why.empty() ? fmt::format("clutter {:.2f} K", row.clutter)
+                       : fmt::format("clutter not defined ({})", why);
+}
+
+/// A line for each target, band and observer: when the target stands out most, and when least.
 std::string reported(const ContrastInput& input, const ContrastReport& report, const Scene& scene) {
     std::string text;
-    for (std::size_t w = 0; w < report.worst.size(); ++w) {
-        const WorstContrast& worst = report.worst[w];
-        const std::string& target = input.targets[w / input.bands.size()].name;
-        const std::string band = band_words(input.bands[w % input.bands.size()]);
-        if (worst.row >= report.row.size()) {
-            text +=
-                fmt::format("{}: {} in {}: not visible in any picture\n", input.name, target, band);
+    for (const ContrastSummary& one : report.summary) {
+        const ObserverInput& observer = scene.observers[input.observers[one.observer]];
+        text += fmt::format("{}: {} in {} from {}: ", input.name, input.targets[one.target].name,
+                            band_words(input.bands[one.band]), observer.name);
+        if (one.highest >= report.row.size()) {
+            text += "not visible in any picture\n";
             continue;
         }
-        const ContrastRow& row = report.row[worst.row];
+        const ContrastRow& highest = report.row[one.highest];
+        const ContrastRow& lowest = report.row[one.lowest];
         text += fmt::format(
-            "{}: {} in {}: highest {:.2f} +- {:.2g} K at {} from {}, clutter {:.2f} K; lowest "
-            "{:.2f} K; above {:g} K in {:.0f} % of the pictures\n",
-            input.name, target, band, row.rss, worst.error,
-            format_local(row.when, scene.time.utc_offset),
-            scene.observers[input.observers[row.observer]].name, row.clutter, worst.least,
-            input.threshold, 100.0 * worst.share);
+            "highest {:.2f} K (sampling {:.2g} K) at {}, {}; lowest {:.2f} K at {}; above {:g} K "
+            "in {:.0f} % of the pictures\n",
+            highest.rss, one.sampling_change, format_local(highest.when, scene.time.utc_offset),
+            clutter_words(highest, observer), lowest.rss,
+            format_local(lowest.when, scene.time.utc_offset), input.threshold, 100.0 * one.share);
     }
     return text;
 }

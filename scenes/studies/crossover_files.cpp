@@ -26,6 +26,12 @@ std::optional<double> hourly(const TimedCrossing& crossing) {
     return 3600.0 * crossing.slope;
 }
 
+/// [s]; none where no number was varied.
+std::optional<double> sigma_of(const TimedCrossing& crossing) {
+    if (crossing.shift.empty()) return std::nullopt;
+    return crossing.sigma;
+}
+
 std::string cell(const std::optional<double>& value, const char* format = "{:.1f}") {
     return value ? fmt::format(fmt::runtime(format), *value) : "";
 }
@@ -66,10 +72,10 @@ std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& re
     text += '\n';
     for (const CrossoverDay& day : report.band) {
         for (const TimedCrossing& one : day.crossing) {
-            text += fmt::format("{},{},{},{},{},{:.4g},{:.1f},{}", day.band,
+            text += fmt::format("{},{},{},{},{},{:.4g},{},{}", day.band,
                                 format_local(one.when, utc_offset), word_of(one.kind),
                                 csv_cell(warmer_after(input, one)), cell(hourly(one), "{:.4g}"),
-                                one.least, one.sigma, cell(one.refined));
+                                one.least, cell(sigma_of(one)), cell(one.refined));
             for (const auto& shift : one.shift) text += fmt::format(",{}", cell(shift));
             text += '\n';
         }
@@ -108,7 +114,7 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
     json["sigma"] =
         "sigma_s: one standard deviation (68 %) of the time, the root sum square of the shifts; "
         "shift_s: the change of the time with one number at its one_sigma, a standard deviation "
-        "(68 %) from its value in the scene";
+        "(68 %) from its value in the scene; null without uncertain numbers";
     json["bands"] = OrderedJson::array();
     for (const CrossoverDay& day : report.band) {
         OrderedJson crossings = OrderedJson::array();
@@ -122,7 +128,7 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
                                  {"warmer_after", warmer_after(input, one)},
                                  {"slope_K_per_h", or_null(hourly(one))},
                                  {"least_K", one.least},
-                                 {"sigma_s", one.sigma},
+                                 {"sigma_s", or_null(sigma_of(one))},
                                  {"refined_shift_s", or_null(one.refined)},
                                  {"shift_s", shifts},
                                  {"gone_with", gone_with(input, one)}});

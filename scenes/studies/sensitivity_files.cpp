@@ -37,7 +37,7 @@ OrderedJson effect_json(const ElementaryEffect& effect) {
     return {{"mean", number_or_null(effect.mean)},
             {"mean_size", number_or_null(effect.mean_size)},
             {"size_error", number_or_null(effect.size_error)},
-            {"deviation", number_or_null(effect.deviation)},
+            {"morris_sigma", number_or_null(effect.deviation)},
             {"count", effect.count}};
 }
 
@@ -61,25 +61,27 @@ const char* unit_of(const SensitivityOutput& output) {
 }
 
 std::string sensitivity_csv(const SensitivityInput& input, const SensitivityReport& report) {
-    std::string text =
-        "output,unit,key,low,high,at_base,at_low,at_high,slope,mean_effect,mean_size,size_error,"
-        "deviation,effects\n";
+    const bool morris = input.trajectories > 0;
+    std::string text = "output,unit,key,low,high,at_base,plus_minus,at_low,at_high,slope";
+    if (morris) text += ",mean_effect,mean_size,size_error,morris_sigma,effects";
+    text += '\n';
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const OutputSensitivity& one = report.output[o];
         for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
             const OneAtATime& alone = one.alone[u];
-            text +=
-                fmt::format("{},{},{},{:.9g},{:.9g},{},{},{},{}", csv_cell(input.outputs[o].name),
-                            unit_of(input.outputs[o]), csv_cell(input.uncertain[u].key),
-                            input.uncertain[u].low, input.uncertain[u].high, field(one.base),
-                            field(alone.low), field(alone.high), field(alone.slope));
-            if (one.effect.empty()) {
-                text += ",,,,,0\n";
-                continue;
-            }
-            const ElementaryEffect& effect = one.effect[u];
-            text += fmt::format(",{},{},{},{},{}\n", field(effect.mean), field(effect.mean_size),
+            text += fmt::format("{},{},{},{:.9g},{:.9g},{},{},{},{},{}",
+                                csv_cell(input.outputs[o].name), unit_of(input.outputs[o]),
+                                csv_cell(input.uncertain[u].key), input.uncertain[u].low,
+                                input.uncertain[u].high, field(one.base), field(one.deviation),
+                                field(alone.low), field(alone.high), field(alone.slope));
+            if (morris) {
+                const ElementaryEffect effect =
+                    one.effect.empty() ? ElementaryEffect{} : one.effect[u];
+                text +=
+                    fmt::format(",{},{},{},{},{}", field(effect.mean), field(effect.mean_size),
                                 field(effect.size_error), field(effect.deviation), effect.count);
+            }
+            text += '\n';
         }
     }
     return text;
@@ -94,9 +96,10 @@ std::string sensitivity_json(const SensitivityInput& input, const SensitivityRep
                      {"levels", input.levels}};
     json["elementary_effects"] =
         "change over the whole range of a value (Morris 1991): mean is mu, mean_size mu*, "
-        "deviation sigma";
-    json["deviation"] =
-        "first order, for independent values with uniform distributions over their ranges";
+        "morris_sigma sigma";
+    json["plus_minus"] =
+        "one standard deviation of the output, first order, for independent values with uniform "
+        "distributions over their ranges";
     json["outputs"] = OrderedJson::array();
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const SensitivityOutput& output = input.outputs[o];
@@ -115,7 +118,7 @@ std::string sensitivity_json(const SensitivityInput& input, const SensitivityRep
                                    {"figure", word_of(output.figure)},
                                    {"unit", unit_of(output)},
                                    {"base", number_or_null(one.base)},
-                                   {"deviation", number_or_null(one.deviation)},
+                                   {"plus_minus", number_or_null(one.deviation)},
                                    {"uncertain", std::move(numbers)}});
     }
     json["notes"] = notes;

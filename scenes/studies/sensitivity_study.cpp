@@ -26,7 +26,10 @@ std::string reported(const SensitivityInput& input, const SensitivityReport& rep
         }
         const char* unit = unit_of(input.outputs[o]);
         text += fmt::format("{}: {:.3f} {}", plain(input.outputs[o].name), one.base, unit);
-        if (std::isfinite(one.deviation)) text += fmt::format(" +- {:.3f}", one.deviation);
+        if (std::isfinite(one.deviation)) {
+            text += fmt::format(" +- {:.3g} (one standard deviation of the given ranges)",
+                                one.deviation);
+        }
         text += "\n";
         for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
             text += fmt::format("  {}: {} at {:g}, {} at {:g}", plain(input.uncertain[u].key),
@@ -35,8 +38,8 @@ std::string reported(const SensitivityInput& input, const SensitivityReport& rep
             if (!one.effect.empty() && one.effect[u].count > 0) {
                 text += fmt::format("; mu* {:.3f}", one.effect[u].mean_size);
                 if (one.effect[u].count > 1) {
-                    text += fmt::format(" +- {:.3f}, sigma {:.3f}", one.effect[u].size_error,
-                                        one.effect[u].deviation);
+                    text += fmt::format(" +- {:.3f} (standard error), sigma {:.3f}",
+                                        one.effect[u].size_error, one.effect[u].deviation);
                 }
             }
             text += "\n";

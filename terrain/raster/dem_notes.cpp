@@ -84,8 +84,10 @@ void note_zone(Dem& dem) {
     // Maps of one zone reach a degree or two into the next; the formulas are good to 7 degrees.
     if (away > 6.0 || (place.latitude_deg < -1.0) == (north != 0)) {
         dem.notes.push_back(fmt::format(
-            "{}: its centre, {:.2f} N {:.2f} E, is far from UTM zone {}{}: check the zone",
-            dem.source, place.latitude_deg, place.longitude_deg, zone, north ? "N" : "S"));
+            "{}: its centre, {:.2f} {}, {:.2f} {}, is far from UTM zone {}{}: check the zone",
+            dem.source, std::abs(place.latitude_deg), place.latitude_deg < 0.0 ? 'S' : 'N',
+            std::abs(place.longitude_deg), place.longitude_deg < 0.0 ? 'W' : 'E', zone,
+            north ? "N" : "S"));
     }
 }
 

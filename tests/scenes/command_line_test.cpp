@@ -163,7 +163,7 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
     again.erase("report.html");
     again.erase("manifest.json");
     CHECK(again == one);
-    CHECK(run("one", "--resume").out.find("0 frames rendered") != std::string::npos);
+    CHECK(run("one", "--resume").out.find("0 views rendered") != std::string::npos);
 }
 
 // A surface that can lose no heat has no periodic day.

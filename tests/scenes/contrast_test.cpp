@@ -117,19 +117,33 @@ ranges_m = [100.0, 5000.0]
         CHECK(row.weber == Approx(weber).epsilon(0.01));
         CHECK(row.edge > 3.0 * row.background_edge);
     }
-    REQUIRE(report.worst.size() == 4);
-    for (std::size_t w = 0; w < 4; ++w) {
-        const WorstContrast& worst = report.worst[w];
-        const double rss = w < 2 ? warm - plain : plain - cold;
-        CHECK(report.row[worst.row].rss == Approx(rss).epsilon(0.01));
-        CHECK(worst.error < 0.05);
-        CHECK(worst.share == (w < 2 ? 1.0 : 0.0));
+    REQUIRE(report.summary.size() == 8);
+    for (const ContrastSummary& one : report.summary) {
+        if (one.observer == 1) {
+            CHECK(one.highest == report.row.size());
+            continue;
+        }
+        const bool hot = one.target == 0;
+        CHECK(report.row[one.highest].rss ==
+              Approx(hot ? warm - plain : plain - cold).epsilon(0.01));
+        CHECK(report.row[one.lowest].rss <= report.row[one.highest].rss);
+        CHECK(one.sampling_change < 0.05);
+        CHECK(one.share == (hot ? 1.0 : 0.0));
         // Nothing is lost in a vacuum.
-        REQUIRE(worst.at_range.size() == 2);
-        CHECK(worst.at_range[1] == Approx(worst.at_range[0]).epsilon(1e-6));
+        REQUIRE(one.at_range.size() == 2);
+        CHECK(one.at_range[1] == Approx(one.at_range[0]).epsilon(1e-6));
     }
     const auto json = nlohmann::json::parse(contrast_json(input, report, prepared.scene, {}));
-    CHECK(json["targets"][0]["worst"]["observer"] == "drone");
+    const auto& first = json["targets"][0];
+    CHECK(first["observer"] == "drone");
+    CHECK(first["highest"]["sampling_change_K"] < 0.05);
+    CHECK(first["lowest"]["rss_K"] <= first["highest"]["rss_K"]);
+    CHECK_FALSE(json["targets"][1].contains("highest"));  // the observer aside
+    // Cells of 34 x 34 pixels tile a picture of 96 x 64 twice, and the warm plate lies in both.
+    CHECK(first["highest"]["clutter_K"].is_null());
+    const std::string why = first["highest"]["why"]["clutter_K"];
+    CHECK(why.find("twice the target's size") != std::string::npos);
+    CHECK(why.find("horizontal_fov_deg") != std::string::npos);
     CHECK(
         contrast_csv(input, report, prepared.scene).find("warm plate,drone,2026-07-15T00:00:00") !=
         std::string::npos);

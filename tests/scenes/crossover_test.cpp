@@ -210,3 +210,27 @@ uncertain = [{ key = "material.black.internal_heat_W_m2", one_sigma = 320.0 }]
         CHECK(one["gone_with"].empty());
     }
 }
+
+TEST_CASE("without uncertain numbers a crossing has no standard deviation", "[scenes][crossover]") {
+    const Instant noon = parse_instant("2026-07-15T12:00:00-04:00");
+    TimedCrossing crossing{.when = noon, .slope = 1e-3, .refined = {}, .shift = {}};
+    CrossoverReport report;
+    report.band.push_back({.band = "8-12",
+                           .instant = {noon},
+                           .first = {300.0},
+                           .second = {300.0},
+                           .crossing = {crossing}});
+    CrossoverInput input;
+    input.first.name = "plate";
+    input.second.name = "ground";
+    CHECK(crossover_csv(input, report, 0.0).find(",ground,3.6,0,,\n") != std::string::npos);
+    const auto one = [&] {
+        return nlohmann::json::parse(
+            crossover_json(input, "drone", report, {}, 0.0))["bands"][0]["crossings"][0];
+    };
+    CHECK(one()["sigma_s"].is_null());
+    input.uncertain.push_back({.key = "material.black.albedo", .one_sigma = 0.2, .where = {}});
+    report.band[0].crossing[0].shift = {60.0};
+    report.band[0].crossing[0].sigma = 60.0;
+    CHECK(one()["sigma_s"] == 60.0);
+}

@@ -197,6 +197,7 @@ TEST_CASE("settings that contradict each other are refused before anything is co
     const std::string quiet = reported(start + "detector = { netd_mK = 1.0 }\n");
     CHECK(quiet.find("scene.toml:") != std::string::npos);
     CHECK(quiet.find("a NETD of 1 mK is less than") != std::string::npos);
+    CHECK(quiet.find("raise detector.netd_mK, lower optics.f_number") != std::string::npos);
     CHECK(reported(start + "optics = { k1 = -40.0 }\n").find("is not unique") != std::string::npos);
     const std::string bright =
         with(small_scene(), "bands = [\"3-5\", \"8-12\"]", "bands = [\"0.4-0.7\"]") +

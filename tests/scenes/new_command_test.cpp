@@ -105,13 +105,21 @@ TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
          {std::pair{fmt::format("'{}/none.tif'", folder.path.string()), std::string("none.tif")},
           {"'" + elevation + "' --at 36.3", std::string("latitude and longitude in degrees")},
           {"'" + elevation + "' --at 10.0,20.0",
-           std::string("does not contain 10.00000 N 20.00000 E")},
+           std::string("does not contain 10.00000 N, 20.00000 E")},
           {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {
         CHECK(verb(begin + arguments, reported) == 2);
         INFO(read_text(reported));
         CHECK(read_text(reported).find(says) != std::string::npos);
         CHECK(!fs::exists(scene));
     }
+    // Columns of other names are described in a scene, which there is not yet.
+    const fs::path logger = folder.path / "logger.csv";
+    write_text(logger, "time,T_air\n2026-07-15T00:00:00Z,20\n2026-07-16T00:00:00Z,22\n");
+    CHECK(verb(begin + "'" + elevation + "' --weather '" + logger.string() + "'", reported) == 2);
+    CHECK(read_text(reported).find("run `new` without --weather, then set weather.file and "
+                                   "[weather.columns] in scene.toml, or rename the columns") !=
+          std::string::npos);
+    CHECK(!fs::exists(scene));
     fs::create_directory(scene);
     CHECK(verb(begin + "'" + elevation + "'", reported) == 2);
     CHECK(fs::is_empty(scene));

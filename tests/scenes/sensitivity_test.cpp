@@ -71,7 +71,7 @@ output = [
     CHECK(plain["base"].get<double>() == Approx(balanced(300.0)).margin(2e-3));
     // Kept as 32-bit floats: 1.5e-5 K of the 0.28 K between both ends.
     CHECK(plain["uncertain"][0]["slope"].get<double>() == Approx(slope).epsilon(5e-4));
-    CHECK(plain["deviation"].get<double>() == Approx(2.0 * slope / std::sqrt(12.0)).epsilon(5e-4));
+    CHECK(plain["plus_minus"].get<double>() == Approx(2.0 * slope / std::sqrt(12.0)).epsilon(5e-4));
     const Json& contrast = json["outputs"][1];
     CHECK(contrast["base"].get<double>() == Approx(balanced(200.0) - balanced(300.0)).margin(5e-3));
     CHECK(contrast["uncertain"][0]["slope"].get<double>() == Approx(-slope).epsilon(2e-3));
@@ -117,7 +117,7 @@ output = [
         CHECK(number["slope"].get<double>() == Approx(0.03 * side).epsilon(0.01));
         CHECK(number["effect"]["mean"].get<double>() == Approx(1.2 * side).epsilon(0.01));
         CHECK(number["effect"]["mean_size"].get<double>() == Approx(1.2).epsilon(0.01));
-        CHECK(number["effect"]["deviation"].get<double>() < 1e-9);
+        CHECK(number["effect"]["morris_sigma"].get<double>() < 1e-9);
     }
     CHECK(json["outputs"][2]["base"].is_null());
     CHECK(json["outputs"][2]["uncertain"][0]["slope"].is_null());
@@ -159,7 +159,7 @@ output = [{ first = "ground", at_h = 12.0 }]
         CHECK(k == Approx(std::round(k)).margin(2e-3));
         CHECK(std::round(k) >= 1.0);
         CHECK(std::round(k) <= 5.0);
-        CHECK(effect["deviation"].get<double>() ==
+        CHECK(effect["morris_sigma"].get<double>() ==
               Approx(std::abs(both[1] - both[0]) * std::sqrt(k * (6.0 - k) / (6.0 * 5.0)))
                   .epsilon(1e-3));
         CHECK(numbers[u]["at_low"].get<double>() ==
@@ -177,6 +177,8 @@ uncertain = [{}]
 output = [
     {{ first = "plate", at_h = 9.3 }},
     {{ first = "plate", second = "ground", figure = "crossover" }},
+    {{ first = "plate", second = "ground", figure = "contrast", at_h = 9.0, band = "3-5" }},
+    {{ first = "plate", second = "ground", figure = "contrast", at_h = 9.0, band = "8-12" }},
 ]
 )",
                                          heat));
@@ -189,6 +191,13 @@ output = [
             all += read_text(folder.path / "out" / file);
         }
         CHECK(all.size() > 2000);
+        // Only the contrasts differ in nothing but their band.
+        const std::string csv = read_text(folder.path / "out/sensitivity.csv");
+        CHECK(csv.starts_with("output,unit,key,low,high,at_base,plus_minus,"));
+        CHECK(csv.find("morris_sigma") != std::string::npos);
+        CHECK(csv.find("plate - ground crossover 1,") != std::string::npos);
+        CHECK(csv.find("plate - ground at 9 h from drone in 3-5,") != std::string::npos);
+        CHECK(csv.find("plate - ground at 9 h from drone in 8-12,") != std::string::npos);
         if (!before.empty()) CHECK(all == before);
         before = all;
     }
@@ -228,6 +237,9 @@ output = [
     refused(out + "uncertain = [{ key = \"sweep.draw\", low = 1, high = 2 }]\n",
             "light or temperature");
     refused(out + "uncertain = [" + heat + ", " + heat + "]\n", "twice");
+    refused(
+        in + "output = [{ first = \"plate\", at_h = 9.0 }, { first = \"plate\", at_h = 9.0 }]\n",
+        "two of the name \"plate at 9 h\"");
     lay_heated_plate(folder, "");
     CHECK(sensitivity(folder) == 2);
 }

@@ -176,7 +176,11 @@ void divide(const Weather& weather, SunRow& row, ClearCourse& clear, Separation 
             row.most = most_beyond_clear * air.horizontal / row.clear.horizontal;
         }
         const double most = 0.98 * row.most * row.clear.horizontal;
-        if (direct > most && direct - most > 0.02 * light.global) ++report.capped;
+        if (direct > most && direct - most > 0.02 * light.global) {
+            ++report.capped;
+            report.most_capped =
+                std::max(report.most_capped, (direct - most) / seconds_of(weather, row.sample));
+        }
         direct = std::clamp(direct, 0.0, most);
         row.direct = row.clear.horizontal > 0.0 ? direct / row.clear.horizontal : 0.0;
         light.diffuse = light.global - direct;
@@ -208,8 +212,10 @@ std::string tell(const SunCourseReport& report) {
     if (report.capped > 0) {
         say(
             fmt::format("direct sunlight of {} exceeds the clear-sky value by more than a tenth; "
-                        "the excess is used as diffuse",
-                        number_of(report.capped, "row")));
+                        "the excess, up to {:.0f} W/m2, is used as diffuse light: check time "
+                        "stamps and calibration, or reduce the haze (atmosphere.visibility_km, "
+                        "sky.aerosol_500nm)",
+                        number_of(report.capped, "row"), report.most_capped));
     }
     return line;
 }

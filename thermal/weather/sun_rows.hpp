@@ -16,6 +16,7 @@ struct SunCourseReport {
     std::size_t in_the_dark = 0;  // rows over 10 W/m² with the sun down: diffuse light
     double brightest_dark = 0.0;  // [W m⁻²] of those
     std::size_t capped = 0;       // rows with direct light over 1.1 of a clear sky's
+    double most_capped = 0.0;     // [W m⁻²] largest excess of those, on a horizontal plane
 };
 
 /// The report in one line; empty if there is nothing to report.

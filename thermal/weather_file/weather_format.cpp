@@ -117,11 +117,11 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
                          "PVGIS, Open-Meteo and NASA POWER also offer CSV");
     }
     if (extension == ".epw" && found != WeatherFormat::epw) {
-        refuse("is not an EPW file: those begin with LOCATION");
+        refuse("not an EPW file: those begin with LOCATION");
     }
-    if (extension == ".nc" && found != WeatherFormat::era5_netcdf) refuse("is not a netCDF file");
+    if (extension == ".nc" && found != WeatherFormat::era5_netcdf) refuse("not a netCDF file");
     if (extension == ".dat" && found == WeatherFormat::csv && head.find(',') == std::string::npos) {
-        refuse("is neither a SURFRAD nor a BSRN file");
+        refuse("neither a SURFRAD nor a BSRN file");
     }
     return found;
 }

@@ -41,7 +41,7 @@ longitude_deg = {:.6f}
 
 [terrain]
 elevation = "{}"
-radius_m = {:.0f}      # the ground within this distance of the site is used
+radius_m = {:.0f}      # half the side of the square of ground around the site that is used
 tolerance_m = 1.0    # largest vertical distance between mesh and elevation posts
 material = "grass"   # default material of the ground; list of materials: diurna materials
 )",

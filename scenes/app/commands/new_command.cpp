@@ -20,6 +20,7 @@
 #include "materials/base/units.hpp"
 #include "scenes/app/commands/first_scene.hpp"
 #include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/plan_text.hpp"
 #include "scenes/job/plan/prepared.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -50,6 +51,13 @@ Geodetic new_place(const std::string& text) {
                          "expected latitude and longitude in degrees: 36.32,-84.203");
     }
     return place;
+}
+
+/// "36.32000 N, 105.92000 W".
+std::string place_words(const Geodetic& place) {
+    return fmt::format("{:.5f} {}, {:.5f} {}", std::abs(place.latitude_deg),
+                       place.latitude_deg < 0.0 ? 'S' : 'N', std::abs(place.longitude_deg),
+                       place.longitude_deg < 0.0 ? 'W' : 'E');
 }
 
 /// [m] from a place to the raster's nearest edge.
@@ -145,6 +153,17 @@ void choose_span(const fs::path& file, FirstScene& scene) {
     }
 }
 
+/// Mistakes of a weather file's columns, with what can be done here, where there is no scene yet.
+std::vector<Mistake> with_remedy_for_columns(std::vector<Mistake> mistakes) {
+    for (Mistake& one : mistakes) {
+        if (one.hint.find("[weather.columns]") == std::string::npos) continue;
+        one.hint +=
+            "; for that, run `new` without --weather, then set weather.file and [weather.columns] "
+            "in scene.toml, or rename the columns";
+    }
+    return mistakes;
+}
+
 /// What of the files goes into a folder that is there and empty.
 FirstScene fill(const NewArguments& a, const fs::path& folder) {
     FirstScene scene{.name = fs::absolute(a.folder).lexically_normal().filename().string(),
@@ -161,16 +180,14 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
         const double room = room_around(dem, scene.place);
         if (!(room >= 0.0)) {
             throw InputError(a.dem.string(),
-                             fmt::format("does not contain {:.5f} N {:.5f} E, expected a place "
-                                         "inside it",
-                                         scene.place.latitude_deg, scene.place.longitude_deg));
+                             fmt::format("does not contain {}, expected a place inside it",
+                                         place_words(scene.place)));
         }
         if (room < least_radius) {
             throw InputError(
                 a.dem.string(),
-                fmt::format(
-                    "extends only {:.0f} m around {:.5f} N {:.5f} E, expected at least {:.0f} m",
-                    room, scene.place.latitude_deg, scene.place.longitude_deg, least_radius));
+                fmt::format("extends only {:.0f} m around {}, expected at least {:.0f} m", room,
+                            place_words(scene.place), least_radius));
         }
         scene.radius = std::floor(std::min(largest_radius, 0.98 * room));
         opened = watching.files();
@@ -184,7 +201,11 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
         scene.weather_made_up = true;
         write_whole_file(folder / scene.weather, clear_day(scene.start, scene.utc_offset));
     } else {
-        choose_span(a.weather, scene);
+        try {
+            choose_span(a.weather, scene);
+        } catch (const InputError& error) {
+            throw InputError(with_remedy_for_columns(error.mistakes()));
+        }
         scene.weather = take_along(a.weather, {}, folder);
     }
     return scene;
@@ -205,8 +226,8 @@ void new_verb(const NewArguments& a) {
         const Prepared prepared = prepare(read_scene(file));
         fmt::print("{}: {}, {}, from {} for {:g} h{}\n", file.string(),
                    number_of(prepared.world.surfaces().size(), "facet"),
-                   number_of(prepared.plan.frames.size(), "picture"),
-                   format_local(scene.start, scene.utc_offset), scene.duration_h,
+                   picture_counts(prepared.plan), format_local(scene.start, scene.utc_offset),
+                   scene.duration_h,
                    scene.weather_made_up ? "; the weather is generated, not measured" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
         if (!scene.date_note.empty()) fmt::print(stderr, "note: {}\n", plain(scene.date_note));

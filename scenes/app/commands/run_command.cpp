@@ -13,11 +13,13 @@
 #include "materials/base/error.hpp"
 #include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
+#include "scenes/app/commands/number_option.hpp"
 #include "scenes/app/commands/printed_lines.hpp"
 #include "scenes/app/commands/scene_arguments.hpp"
 #include "scenes/app/sweep/run_sweep.hpp"
 #include "scenes/app/sweep/sweep_plan.hpp"
 #include "scenes/app/sweep/variants.hpp"
+#include "scenes/job/plan/plan_text.hpp"
 #include "scenes/job/run/job.hpp"
 
 namespace diurna {
@@ -71,9 +73,9 @@ void run_one(Scene scene, const JobOptions& job) {
     const JobReport report = run_job(std::move(scene), job);
     double seconds = 0.0;
     for (const auto& stage : report.stages) seconds += stage.seconds;
-    fmt::print("{}, {} rendered, {}, {:.1f} s: {}\n", number_of(report.plan.facets, "facet"),
-               number_of(report.frames_rendered, "frame"), number_of(report.files.size(), "file"),
-               seconds, (job.out / "report.html").string());
+    fmt::print("{}, {}, {} rendered, {}, {:.1f} s: {}\n", number_of(report.plan.facets, "facet"),
+               picture_counts(report.plan), number_of(report.frames_rendered, "view"),
+               number_of(report.files.size(), "file"), seconds, (job.out / "report.html").string());
     // Files of the folder, then approximations and their size, then what to check.
     if (!report.resumed.empty()) print_notes({report.resumed});
     print_notes(report.remade);

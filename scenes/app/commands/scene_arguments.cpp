@@ -40,10 +40,10 @@ void tell_of_sweep(const Scene& scene) {
 
 void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
                 const std::string& more) {
-    verb.add_option(
-        "--only", *only,
-        "render only these pictures: observer=NAME, band=NAME, frames=05:00..09:00 (or instants)" +
-            more);
+    verb.add_option("--only", *only,
+                    "render only these pictures: observer=NAME, band=NAME, frames=05:00..09:00 "
+                    "(both ends included; or instants)" +
+                        more);
     verb.add_option_function<std::vector<std::string>>(
         "--band",
         [only](const std::vector<std::string>& bands) {

@@ -38,7 +38,7 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     if (job.sweep)
         things = read_sweep_variants(a.scene, a.settings, a.allow_outside).variants.size();
     const Prepared prepared = prepare(std::move(scene));
-    if (!job.sweep) things = prepared.plan.pictures;
+    if (!job.sweep) things = prepared.plan.views;
     if (job.shards > things) {
         throw InputError("--shards",
                          fmt::format("found {}, expected at most {}, the number of {}", job.shards,

@@ -117,7 +117,9 @@ std::vector<ContrastInput> read_contrasts(const Section& root, const TerrainInpu
             "threshold_K", "root-sum-square contrast above which a target counts as visible",
             input.threshold, {1e-3, 1000.0});
         input.ranges = section.numbers_or(
-            "ranges_m", "ranges at which the worst contrast is also given, with the atmosphere",
+            "ranges_m",
+            "ranges to which the highest contrast of each observer is also taken through the air; "
+            "for other hours at a range, place an observer there",
             {std::vector<double>{500.0, 1000.0, 2000.0, 5000.0, 10000.0},
              "500, 1000, 2000, 5000, 10000"});
         for (const double range : input.ranges) {

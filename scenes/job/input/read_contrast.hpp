@@ -19,7 +19,7 @@ struct ContrastInput {
     std::vector<std::string> bands;      // of all of these; beyond 3 µm
     double ring = 1.0;                   // width of the background around, in target sizes
     double threshold = 2.0;              // [K] above which it counts as detected
-    std::vector<double> ranges;          // [m] for the worst contrast
+    std::vector<double> ranges;          // [m] for the highest contrast
     std::string where;                   // in the scene file
 };
 

@@ -19,7 +19,9 @@ DemOptions read_dem_options(const Section& section, const std::optional<Site>& s
     DemOptions options = read_posts(section, false);
     if (!section.has("radius_m")) return options;
     options.radius = section.number(
-        "radius_m", "radius of the area around the site that is used; default: the whole raster",
+        "radius_m",
+        "half the side of the square of ground around the site that is used, extended to the next "
+        "posts of the raster; default: the whole raster",
         {10.0, 2e5});
     if (site) {
         options.centre = Geodetic{site->latitude_deg, site->longitude_deg, 0.0};

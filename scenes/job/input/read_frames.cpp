@@ -112,7 +112,8 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
     const std::vector<std::string> texts = section.texts_or(
         "frames",
         "instants of pictures, instead of frame_every_s: with UTC offset, or windows of every day, "
-        "\"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
+        "\"05:00-09:00 every 10 min\" (s, min, h), on the clock of start; a window includes both "
+        "ends: 25 pictures",
         {});
     if (section.has("frames") && texts.empty() && !section.has_mistakes()) {
         section.mistake("frames", "found no instant, expected at least one, or windows of the day",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "materials/base/error.hpp"
@@ -134,8 +135,30 @@ SensitivityOutput read_one_output(const Section& section, const Known& known, In
         output.at = later(start, 3600.0 * hour);
         usual += fmt::format(" at {:g} h", hour);
     }
-    output.name = section.text_or("name", "name in the results", {usual, "FIRST - SECOND at N h"});
+    output.name = section.text_or("name", "name in the results",
+                                  {usual,
+                                   "FIRST - SECOND at N h; with observer and band "
+                                   "where that is the name of several"});
     return output;
+}
+
+/// Adds observer and band to names that were not given and are used twice. The same name again is a
+/// mistake.
+void name_outputs(const std::vector<Section>& sections, const std::vector<ObserverInput>& observers,
+                  std::vector<SensitivityOutput>& outputs) {
+    std::map<std::string, int> uses;
+    for (const SensitivityOutput& one : outputs) ++uses[one.name];
+    std::set<std::string> names;
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+        SensitivityOutput& one = outputs[o];
+        const bool seen = one.figure != Figure::temperature && one.observer < observers.size();
+        if (uses[one.name] > 1 && seen && !sections[o].has("name")) {
+            one.name += fmt::format(" from {} in {}", observers[one.observer].name, one.band);
+        }
+        if (names.insert(one.name).second) continue;
+        sections[o].mistake("name", fmt::format("two of the name \"{}\"", one.name),
+                            "give each output a name of its own");
+    }
 }
 
 }  // namespace
@@ -155,14 +178,11 @@ std::vector<SensitivityInput> read_sensitivities(const Section& root, const Terr
         input.where = section.where();
         input.name = study_name(section, {"sensitivity", "sensitivity"}, names);
         input.uncertain = read_ranges(section);
-        std::set<std::string> outputs;
-        for (const Section& one : section.sections("output", "a result to be studied")) {
+        const std::vector<Section> outputs = section.sections("output", "a result to be studied");
+        for (const Section& one : outputs) {
             input.outputs.push_back(read_one_output(one, known, time.start));
-            if (!outputs.insert(input.outputs.back().name).second) {
-                one.mistake("name", fmt::format("two of the name \"{}\"",  //
-                                                input.outputs.back().name));
-            }
         }
+        name_outputs(outputs, observers, input.outputs);
         if (input.outputs.empty()) section.mistake("output", "missing, expected at least one");
         input.trajectories = std::size_t(section.integer_or(
             "trajectories",

@@ -158,7 +158,8 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
         plan.pixels += pixels;
         const std::size_t views = observer.goes() ? observer.frames.size() : 1;
         plan.view_rays += views * pixels * static_cast<std::size_t>(observer.samples);
-        plan.pictures += observer.frames.size();
+        plan.views += observer.frames.size();
+        plan.pictures += observer.frames.size() * observer.bands.size();
         plan.frame_pixels += pixels * observer.frames.size();
         plan.frames.insert(plan.frames.end(), observer.frames.begin(), observer.frames.end());
     }
@@ -277,7 +278,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
          (through * costs.render_per_pixel * work.pixels + costs.air_per_band * work.pictures +
           costs.secondary_per_root * work.onward + costs.render_per_channel * work.channel_pixels +
           costs.air_per_channel * work.channel_pictures +
-          costs.light_per_facet * facets * double(plan.pictures)) /
+          costs.light_per_facet * facets * double(plan.views)) /
              threads},
         {StageId::report, costs.annotate_per_pixel * double(plan.frame_pixels)},
     };

@@ -28,8 +28,9 @@ struct Plan {
     std::vector<Instant> frames;        // of all observers
     std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;
     std::size_t pixels = 0;        // of all observers' views
-    std::size_t pictures = 0;      // frames of all observers, and
+    std::size_t views = 0;         // of an observer at an instant, and
     std::size_t frame_pixels = 0;  // their pixels
+    std::size_t pictures = 0;      // of a view in a band
     double memory = 0.0;           // [bytes] maximum
     double seconds = 0.0;          // sum of the stages: within 1.5 times on idle cores
     std::vector<PlannedStage> stages;

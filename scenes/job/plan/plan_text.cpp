@@ -123,16 +123,23 @@ std::vector<PlanRow> plan_rows(const Plan& plan) {
     return rows;
 }
 
+std::string picture_counts(const Plan& plan) {
+    return fmt::format("{}, {}, {}", number_of(plan.views, "view"),
+                       number_of(plan.pictures, "picture"),
+                       number_of(plan.frames.size(), "instant"));
+}
+
 std::string describe(const Plan& plan) {
     std::string text = fmt::format(
         "facets      {:>12}\n"
         "steps       {:>12}   {} with the sun up\n"
-        "pictures    {:>12}   {:.4g} pixels, at {}\n"
+        "views       {:>12}   {:.4g} pixels; an observer at an instant\n"
+        "pictures    {:>12}   a view in a band; at {}\n"
         "rays        {:>12.4g}   sky {:.3g}, sun {:.3g}, views {:.3g}\n"
         "memory      {:>9.0f} MB  estimated\n"
         "time        {:>10.1f} s   estimated, {}\n",
-        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.pictures,
-        double(plan.frame_pixels), number_of(plan.frames.size(), "instant"),
+        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.views,
+        double(plan.frame_pixels), plan.pictures, number_of(plan.frames.size(), "instant"),
         static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
         static_cast<double>(plan.sky_rays), static_cast<double>(plan.sun_rays),
         static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds,

@@ -17,6 +17,10 @@ struct PlanRow {
 };
 std::vector<PlanRow> plan_rows(const Plan& plan);
 
+/// "17 views, 34 pictures, 16 instants": a view is an observer at an instant, a picture a view in a
+/// band.
+std::string picture_counts(const Plan& plan);
+
 /// The text printed by `diurna plan`.
 std::string describe(const Plan& plan);
 

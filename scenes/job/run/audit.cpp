@@ -55,7 +55,7 @@ Audit audit(const AuditedRun& run, Scene scene, int checks, const ProgressTo& to
     return {.error = solved.check,
             .places = solved.places,
             .unchecked = solved.unchecked,
-            .pictures = prepared.plan.pictures,
+            .pictures = prepared.plan.views,
             .tolerance = prepared.scene.tolerance,
             .not_converged = not_converged(solved.report),
             .same_inputs = key == run.key};
@@ -73,7 +73,7 @@ std::vector<std::string> audit_lines(const Audit& audit) {
     }
     std::vector<std::string> lines{
         fmt::format("{} in {} solved separately, each with sun, sky and surroundings of its own",
-                    number_of(audit.places, "place"), number_of(audit.pictures, "picture")),
+                    number_of(audit.places, "place"), number_of(audit.pictures, "view")),
         fmt::format("{:<24} {:8.3f} K   95 % interval {:.3f} to {:.3f} K", "rms difference",
                     error.rms, error.low, error.high),
         fmt::format("{:<24} {:8.3f} K   facets against themselves with more rays",

@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "materials/base/number_of.hpp"
 #include "materials/base/random.hpp"
 #include "render/view/linear_facets.hpp"
 #include "render/view/pixel_heat.hpp"
@@ -202,10 +203,8 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
     const std::string unchecked =
         points.skipped == 0
             ? ""
-            : fmt::format(
-                  "; {} drawn places on panes, nets, sheets, targets or copies are not "
-                  "checked",
-                  points.skipped);
+            : fmt::format("; {} on panes, nets, sheets, targets or copies {} not checked",
+                          number_of(points.skipped, "place"), points.skipped == 1 ? "is" : "are");
     if (points.point.empty()) {
         return fmt::format("{} no picture shows ground or a plain object{}", check_begins,
                            unchecked);

@@ -286,9 +286,16 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         longest = std::max(longest, one.integration_time);
     }
     if (instrument.detector.kind == DetectorKind::photon) {
-        notes.push_back(name + fmt::format("integration times {:.3g} to {:.3g} ms; saturated "
-                                           "pixels in {} pictures, at most {} pixels in one",
-                                           1e3 * shortest, 1e3 * longest, pictures, saturated));
+        const std::string least = fmt::format("{:.3g}", 1e3 * shortest),
+                          most = fmt::format("{:.3g}", 1e3 * longest);
+        notes.push_back(
+            name +
+            (least == most ? fmt::format("integration time {} ms", most)
+                           : fmt::format("integration times {} to {} ms", least, most)) +
+            (pictures == 0
+                 ? "; no saturated pixels"
+                 : fmt::format("; saturated pixels in {}, at most {} in one",
+                               number_of(pictures, "picture"), number_of(saturated, "pixel"))));
     } else if (instrument.detector.time_constant > 0.0) {
         notes.push_back(
             name +

@@ -145,7 +145,7 @@ std::string resumed(const fs::path& out, const std::string& earlier, const std::
     }
     return fmt::format("--resume: {}, {} of {} reused from the earlier run in {}",
                        temperatures ? "temperatures reused" : "temperatures computed", reused,
-                       number_of(all, "frame"), out.string());
+                       number_of(all, "view"), out.string());
 }
 
 /// The report before anything is computed.

@@ -38,8 +38,9 @@ std::vector<Mistake> light_warnings(const Prepared& prepared) {
     for (const std::string& key : scene.idle_sky_keys) {
         warnings.push_back({fmt::format("{}: sky.{}", scene.file.string(), key),
                             scene.air.vacuum ? "has no effect in a vacuum"
-                                             : "has no effect on clear skies: their light comes "
-                                               "from [atmosphere]",
+                                             : "does not set the light of clear skies, which "
+                                               "comes from [atmosphere]; it changes only the clear "
+                                               "sky that measured sunlight is compared with",
                             scene.air.vacuum ? "remove the key"
                                              : "set atmosphere.visibility_km and its other keys, "
                                                "or atmosphere.drives_heat = false for the formulas "

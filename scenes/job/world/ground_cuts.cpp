@@ -109,7 +109,9 @@ void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, cons
     throw InputError(
         way != nullptr ? way->where : object.where,
         fmt::format("\"{}\" {} east {:g} m, north {:g} m, outside the elevation data", object.name,
-                    way != nullptr ? "extends to" : "is at", place.x(), place.y()));
+                    way != nullptr ? "extends to" : "is at", place.x(), place.y()),
+        way != nullptr ? "set heights = \"sea\" in the trajectory, with heights above the sea"
+                       : "there, set height_above_sea_m or height_above_ellipsoid_m");
 }
 
 /// Round objects, for their shadows. Throws InputError for one outside the raster.

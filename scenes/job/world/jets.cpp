@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <variant>
 
 #include "materials/air/moist_air.hpp"
 #include "materials/base/number_of.hpp"
@@ -195,6 +198,7 @@ class Blowing {
         };
         std::vector<Found> found;
         std::size_t left_out = 0;
+        std::set<std::string> reasons;  // of those
         double area = 0.0, heat = 0.0, left_area = 0.0;
         for (std::uint32_t f = 0; f < facets.size(); ++f) {
             const auto owner = owner_.find(f);
@@ -204,9 +208,13 @@ class Blowing {
             const bool joins = !owned && !world_.movers.empty() && !goes &&
                                blown(facets, f, jet, nullptr).heat > 0.0;
             if (!(by.heat > 0.0) && !joins) continue;
-            if (!may_follow(t, reported, goes, f, owned ? &owner->second : nullptr)) {
-                left_out += by.heat > 0.0 ? 1 : 0;
-                left_area += by.heat > 0.0 ? double(facets.area[f]) : 0.0;
+            const char* const why_not =
+                not_heated(t, reported, goes, f, owned ? &owner->second : nullptr);
+            if (why_not != nullptr) {
+                if (!(by.heat > 0.0)) continue;
+                ++left_out;
+                left_area += double(facets.area[f]);
+                reasons.insert(why_not);
                 continue;
             }
             found.push_back({f, by});
@@ -231,24 +239,34 @@ class Blowing {
         }
         tell(t, who, area, share, has);
         if (left_out > 0) {
-            all_[t].notes.push_back(fmt::format(
-                "{} does not heat {} ({:.1f} m2) in its path: {}", who,
-                number_of(left_out, "facet"), left_area,
-                goes ? "the jet of a moving object heats that object only"
-                     : "they have leaves, snow, water that freezes, a schedule or a back side, "
-                       "move by themselves, or belong to another target while the jet's "
-                       "temperature is that of a lump"));
+            all_[t].notes.push_back(fmt::format("{} does not heat {} ({:.1f} m2) in its path: {}",
+                                                who, number_of(left_out, "facet"), left_area,
+                                                fmt::join(reasons, "; ")));
         }
     }
 
-    /// Whether a facet can have the jet's film.
-    bool may_follow(std::size_t t, const JetInput& reported, bool goes, std::uint32_t f,
-                    const Owner* owner) const {
-        if (owner && owner->target == t) return true;
-        if (goes) return false;
-        if (owner) return reported.lump.empty();
-        return !sided_[f] && !moves_[f] &&
-               plain_layers(scene_.materials[world_.surfaces().material[f]].thermal);
+    /// Why a facet cannot have the jet's film; null if it can.
+    const char* not_heated(std::size_t t, const JetInput& reported, bool goes, std::uint32_t f,
+                           const Owner* owner) const {
+        if (owner && owner->target == t) return nullptr;
+        if (goes) return "the jet of a moving object heats that object only";
+        if (owner) {
+            return reported.lump.empty() ? nullptr
+                                         : "they belong to another target, but the jet's "
+                                           "temperature is that of a lump";
+        }
+        if (sided_[f]) return "they have a back side";
+        if (moves_[f]) return "they move by themselves";
+        const ThermalSurface& surface = scene_.materials[world_.surfaces().material[f]].thermal;
+        if (plain_layers(surface)) return nullptr;
+        if (!std::holds_alternative<std::monostate>(surface.canopy)) return "they have leaves";
+        if (surface.snow_albedo) return "they have snow";
+        if (surface.layers.empty()) return "they have no layers";
+        const bool constant = std::all_of(
+            surface.layers.begin(), surface.layers.end(),
+            [](const Layer& layer) { return std::holds_alternative<Constant>(layer.law); });
+        return constant ? "they follow a schedule"
+                        : "properties of their layers change with temperature or water";
     }
 
     void tell(std::size_t t, const std::string& who, double area, double share, double has) {

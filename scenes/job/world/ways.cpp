@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/job/input/sea_height.hpp"
+#include "scenes/job/world/ground_point.hpp"
 #include "scenes/job/world/heights.hpp"
 
 namespace diurna {
@@ -51,6 +52,12 @@ Way::Around Way::around(double seconds) const {
 Eigen::Vector3d Way::place(double seconds) const {
     const Eigen::Vector3d at = place_at(way_, seconds);
     if (in_frame_) return at;
+    if (heights_ == HeightOver::ground) {
+        const Eigen::Vector3d ground =
+            ground_point(*dem_, world_->site, at.head<2>(), where_,
+                         "set heights = \"sea\" in the trajectory, with heights above the sea");
+        return ground + Eigen::Vector3d(0.0, 0.0, at.z());
+    }
     return stand_point(*world_, *dem_, at.head<2>(), {at.z(), heights_}, where_);
 }
 

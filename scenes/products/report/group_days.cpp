@@ -112,7 +112,8 @@ std::string table_of(const GroupDays& days, const std::string& what,
         "<table class=\"figures\">\n<tr><th>{}</th><th class=\"n\">facets</th><th "
         "class=\"n\">area</th>"
         "<th class=\"n\">coldest<br>mean °C</th><th>at</th><th class=\"n\">warmest<br>mean °C</th>"
-        "<th>at</th><th class=\"n\">spread then,<br>10 to 90 %, K</th><th>{}</th></tr>\n",
+        "<th>at</th><th class=\"n\">spread at the<br>warmest instant,<br>10 to 90 %, "
+        "K</th><th>{}</th></tr>\n",
         what, days.around ? "as warm as " + escaped(days.around->name) + " at" : "");
     for (std::size_t i = 0; i < std::min(curves.size(), most_rows); ++i) {
         const DiurnalCurve& curve = curves[i];
@@ -120,7 +121,8 @@ std::string table_of(const GroupDays& days, const std::string& what,
         for (const Instant when : crossings_of(days, curve)) {
             crossed += (crossed.empty() ? "" : ", ") + axis.says(when);
         }
-        if (days.around && crossed.empty()) {
+        const bool itself = days.around && curve.name == days.around->name;
+        if (days.around && crossed.empty() && !itself) {
             crossed = is_around(days, curve) ? "the whole time, within 0.1 K" : "never";
         }
         out += fmt::format(
@@ -156,7 +158,13 @@ std::string between_instants(const std::vector<Instant>& instants) {
     for (std::size_t i = 1; i < instants.size(); ++i) {
         widest = std::max(widest, seconds_between(instants[i - 1], instants[i]) / 3600.0);
     }
-    if (widest <= 0.5) return "";
+    if (widest == 0.0) return "";
+    if (widest <= 0.5) {
+        return fmt::format(
+            "<p class=\"key\">Times at which two curves are as warm are linear between the stored "
+            "instants, {:.3g} min apart.</p>\n",
+            60.0 * widest);
+    }
     return fmt::format(
         "<p class=\"key\">Temperatures are interpolated linearly between {} stored instants, up to "
         "{:.3g} h apart: extremes and crossovers between them may be missed.</p>\n",

@@ -27,7 +27,7 @@ struct GroupDays {
 std::string group_days(const GroupDays& days, const std::string& title, const std::string& what,
                        const std::vector<DiurnalCurve>& curves);
 
-/// A note on curves with more than half an hour between some instants; "" otherwise.
+/// How far apart the instants are between which times of crossings are linear; "" for one instant.
 std::string between_instants(const std::vector<Instant>& instants);
 
 /// Colours of common materials, and of air; the others use further colours in turn.

@@ -75,7 +75,7 @@ std::string facts_table(const Prepared& prepared, const JobReport& report) {
                     site.longitude_deg < 0.0 ? 'W' : 'E', prepared.world.sea_level_height));
     out += table_row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
                                            prepared.world.ground_facets, report.posts));
-    out += table_row("frames", fmt::format("{} instants", plan.frames.size()));
+    out += table_row("pictures", picture_counts(plan));
     if (!report.not_converged.empty()) {
         out += table_row("<strong>not converged</strong>", escaped(report.not_converged));
     }

@@ -54,30 +54,34 @@ std::string crossover_rows(const OrderedJson& study) {
                          "td");
         }
         for (const OrderedJson& one : band.at("crossings")) {
-            const double sigma = one.value("sigma_s", 0.0);
-            out += cells({reported(band, "band_um"), moment(one), reported(one, "kind"),
-                          reported(one, "warmer_after"),
-                          sigma > 0.0 ? fmt::format("{:.1f}", sigma / 60.0) : "", hours,
-                          reported(one, "least_K")},
-                         "td");
+            const bool varied = one.contains("sigma_s") && one["sigma_s"].is_number();
+            const double sigma = varied ? one["sigma_s"].get<double>() : 0.0;
+            out += cells(
+                {reported(band, "band_um"), moment(one), reported(one, "kind"),
+                 reported(one, "warmer_after"), varied ? fmt::format("{:.1f}", sigma / 60.0) : "",
+                 hours, reported(one, "least_K")},
+                "td");
         }
     }
     return out;
 }
 
 std::string contrast_rows(const OrderedJson& study) {
-    std::string out = cells(
-        {"target", "band µm", "worst picture", "from", "RSS contrast K", "± K", "signal to clutter",
-         "share above " + reported(study, "threshold_K") + " K", "lowest K"},
-        "th");
+    std::string out =
+        cells({"target", "band µm", "from", "highest at", "RSS contrast K", "sampling change K",
+               "signal to clutter", "share above " + reported(study, "threshold_K") + " K",
+               "lowest at", "RSS contrast K"},
+              "th");
     for (const OrderedJson& one : study.at("targets")) {
-        const OrderedJson worst = one.value("worst", OrderedJson::object());
-        out += cells(
-            {reported(one, "target"), reported(one, "band_um"), moment(worst),
-             reported(worst, "observer"), reported(worst, "rss_K"), reported(worst, "error_K"),
-             reported(worst, "signal_to_clutter"),
-             reported(one, "share_of_pictures_above_threshold"), reported(one, "least_rss_K")},
-            "td");
+        const OrderedJson highest = one.value("highest", OrderedJson::object());
+        const OrderedJson lowest = one.value("lowest", OrderedJson::object());
+        out +=
+            cells({reported(one, "target"), reported(one, "band_um"), reported(one, "observer"),
+                   moment(highest), reported(highest, "rss_K"),
+                   reported(highest, "sampling_change_K"), reported(highest, "signal_to_clutter"),
+                   reported(one, "share_of_pictures_above_threshold"), moment(lowest),
+                   reported(lowest, "rss_K")},
+                  "td");
     }
     return out;
 }

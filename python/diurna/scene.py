@@ -46,7 +46,7 @@ class Scene:
         allow_outside: files of other folders than the scene's may be read. overwrite: an existing `file` is replaced.
         weather: in place of [weather] file: a pandas.DataFrame or a dictionary of columns named as in weather files
         (`air_temperature_K`, `wind_speed_m_s`, ...), with `time` or instants as the index, NaN where a value is missing. It is
-        written beside the scene as NAME.weather-DIGEST.csv, one file for each content.
+        written beside the scene as NAME.weather-DIGEST.csv, one file for each content, which the scene of a dictionary names.
 
         Raises diurna.Error with the argument that is wrong, FileExistsError for a `file` that exists.
         """
@@ -57,6 +57,13 @@ class Scene:
             if file is None:
                 raise Error([("file", "found None for a scene of a dictionary", 'give file="scene.toml", where it is written')])
             self.file: Path = Path(checks.file("file", file))
+            if not overwrite and self.file.exists():
+                raise FileExistsError(f"{self.file} exists (overwrite=True replaces it)")
+            if weather is not None:  # named in the file, which is then whole without this object
+                table = scene.get("weather", {})
+                own = dict(table) if isinstance(table, Mapping) else {}
+                scene = {**scene, "weather": {**own, "file": self._write_weather(weather)}}
+                weather = None
             text = toml_text(scene)
             try:
                 with open(self.file, "w" if overwrite else "x", encoding="utf-8") as out:

@@ -188,6 +188,10 @@ class SmallScene(unittest.TestCase):
         self.assertEqual(len(files), 1)
         diurna.Scene(self.scene.file, weather=table)  # the same content, the same file
         self.assertEqual(sorted(self.folder.glob("scene.weather-*.csv")), files)
+        own = diurna.Scene(small_scene(self.folder), file=self.folder / "own.toml", weather=table)  # its file names the table
+        again = diurna.Scene(self.folder / "own.toml").run(self.folder / "of_file", only="frames=03:00")
+        self.assertRegex(own.file.read_text(), r'file = "own.weather-\w+.csv"')
+        np.testing.assert_array_equal(again.temperatures().kelvin, colder)
         try:
             import pandas
         except ImportError:

@@ -213,8 +213,8 @@ std::string tell(const SunCourseReport& report) {
         say(
             fmt::format("direct sunlight of {} exceeds the clear-sky value by more than a tenth; "
                         "the excess, up to {:.0f} W/m2, is used as diffuse light: check time "
-                        "stamps and calibration, or reduce the haze (atmosphere.visibility_km, "
-                        "sky.aerosol_500nm)",
+                        "stamps and calibration, or reduce the haze (a larger "
+                        "atmosphere.visibility_km; of a column, a smaller sky.aerosol_500nm)",
                         number_of(report.capped, "row"), report.most_capped));
     }
     return line;

@@ -31,7 +31,7 @@ PlanRow solved_facets(const HeatDecision& heat) {
 std::string lit_by(const PictureLight& light) {
     std::vector<std::string> parts;
     const auto add = [&](std::size_t count, const char* what) {
-        if (count > 0) parts.push_back(fmt::format("{} {}", number_of(count, "picture"), what));
+        if (count > 0) parts.push_back(fmt::format("{} {}", number_of(count, "view"), what));
     };
     add(light.sun, "by the sun");
     add(light.moon, "by the moon");

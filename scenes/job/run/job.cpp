@@ -269,7 +269,7 @@ class Job {
         if (!options_.pictures.all()) {
             some.emplace(pictures_there(prepared_, chosen_, ledger));
             manifest_.only = in_words(options_.pictures);
-            report_.remade.push_back(fmt::format("{} of {} pictures are in this folder ({})",
+            report_.remade.push_back(fmt::format("{} of {} views are in this folder ({})",
                                                  some->there, some->all,
                                                  fmt::join(manifest_.only, ", ")));
         }

@@ -121,7 +121,8 @@ std::string table_of(const GroupDays& days, const std::string& what,
         for (const Instant when : crossings_of(days, curve)) {
             crossed += (crossed.empty() ? "" : ", ") + axis.says(when);
         }
-        const bool itself = days.around && curve.name == days.around->name;
+        const bool itself =
+            days.around && curve.facets == days.around->facets && curve.area == days.around->area;
         if (days.around && crossed.empty() && !itself) {
             crossed = is_around(days, curve) ? "the whole time, within 0.1 K" : "never";
         }
@@ -161,8 +162,9 @@ std::string between_instants(const std::vector<Instant>& instants) {
     if (widest == 0.0) return "";
     if (widest <= 0.5) {
         return fmt::format(
-            "<p class=\"key\">Times at which two curves are as warm are linear between the stored "
-            "instants, {:.3g} min apart.</p>\n",
+            "<p class=\"key\">Times of equal temperature are interpolated linearly between stored "
+            "instants, {:.3g} min apart; <code>diurna crossover</code> computes them to the "
+            "second.</p>\n",
             60.0 * widest);
     }
     return fmt::format(

@@ -81,7 +81,7 @@ StudyFindings contrast_study(const StudyRequest& request) {
              .notes = own});
     }
     study.progress().finish();
-    write_findings(request, found);
+    finish_findings(request, found);
     return found;
 }
 

@@ -121,7 +121,7 @@ StudyFindings crossover_study(const StudyRequest& request) {
              .reported = reported(input, report, offset),
              .notes = own});
     }
-    write_findings(request, found);
+    finish_findings(request, found);
     return found;
 }
 

@@ -84,7 +84,7 @@ StudyFindings detection_study(const StudyRequest& request) {
                                  .notes = own});
     }
     study.progress().finish();
-    write_findings(request, found);
+    finish_findings(request, found);
     return found;
 }
 

@@ -79,7 +79,7 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
         }
     }
     study.progress().finish();
-    write_findings(request, found);
+    finish_findings(request, found);
     return found;
 }
 

@@ -53,7 +53,7 @@ StudyFindings signature_study(const StudyRequest& request) {
              .notes = own});
     }
     study.progress().finish();
-    write_findings(request, found);
+    finish_findings(request, found);
     return found;
 }
 

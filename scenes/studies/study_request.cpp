@@ -31,18 +31,16 @@ void check_asked(const StudyRequest& request, const Scene& scene, const char* ki
     check_study_files(request.out, files, scene.files);
 }
 
-void write_findings(const StudyRequest& request, const StudyFindings& findings) {
-    if (request.out.empty()) return;
+void finish_findings(const StudyRequest& request, StudyFindings& findings) {
     using OrderedJson = nlohmann::ordered_json;
     const OrderedJson made_from{{"scene", request.scene.filename().string()},
                                 {"settings", request.settings},
                                 {"heat_sha256", sha256(request.read().said_but_for_pictures)}};
-    for (const StudyFinding& one : findings.finding) {
-        StudyTexts texts = one.texts;
-        OrderedJson json = OrderedJson::parse(texts.json);
+    for (StudyFinding& one : findings.finding) {
+        OrderedJson json = OrderedJson::parse(one.texts.json);
         json["made_from"] = made_from;
-        texts.json = json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
-        write_study_files(request.out, one.name, texts);
+        one.texts.json = json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+        if (!request.out.empty()) write_study_files(request.out, one.name, one.texts);
     }
 }
 

@@ -42,10 +42,10 @@ struct StudyFindings {
     std::string not_converged{};  // "" if all heat balances converged
 };
 
-/// Writes the files of all findings, if requested. Each JSON file gets `made_from`: the scene's
+/// Gives the JSON of each finding `made_from`, and writes the files, if requested: the scene's
 /// name, the settings, and a digest of all that its heat depends on, by which a report shows
 /// whether the study is of its own scene (scenes/products/report/study_plots.hpp).
-void write_findings(const StudyRequest& request, const StudyFindings& findings);
+void finish_findings(const StudyRequest& request, StudyFindings& findings);
 
 /// Throws InputError if there is no table of the kind, or its files cannot be written
 /// (check_study_files): before anything is computed.

@@ -14,6 +14,7 @@
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/picture.hpp"
 #include "scenes/job/run/series.hpp"
+#include "scenes/job/store/heat_content.hpp"
 #include "scenes/products/labels/labelled.hpp"
 #include "scenes/studies/seen_regions.hpp"
 #include "terrain/place/local_time.hpp"
@@ -42,9 +43,15 @@ GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file
 Study::Study(Scene scene, ProgressTo progress)
     : progress_(std::move(progress)),
       prepared_(made_ready(std::move(scene), progress_)),
-      stages_(prepared_) {
+      store_(StageStore::in_memory()),
+      stages_(prepared_, store_) {
     check_start(prepared_);
     notes_ = prepared_.notes;
+}
+
+const std::string& Study::content() {
+    if (content_.empty()) content_ = heat_content(prepared_);
+    return content_;
 }
 
 TemperatureField Study::heat(const std::filesystem::path& file,
@@ -74,7 +81,13 @@ TemperatureField Study::heat(const std::filesystem::path& file,
 TemperatureField Study::heat(const std::filesystem::path& file) {
     TemperatureField field;
     if (file.empty()) {
-        SpanResult result = solve_scene(stages_, progress_);
+        constexpr double most_bytes = 1e9;
+        const TimeInput& time = scene().time;
+        const double bytes = sizeof(float) * double(prepared_.world.surfaces().size()) *
+                             (time.duration / time.step + 2.0 * 86400.0 / time.step);
+        SpanResult result = solve_scene(stages_, progress_, {},
+                                        {.keep_course = time.every_step && bytes < most_bytes});
+        course_ = std::move(result.course);
         not_converged_ = diurna::not_converged(result.report);
         notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
         field = std::move(result.temperature);

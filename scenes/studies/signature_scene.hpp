@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +10,9 @@
 #include "scenes/job/input/read_signature.hpp"
 #include "scenes/job/plan/progress.hpp"
 #include "scenes/job/run/stages.hpp"
+#include "scenes/job/store/stage_store.hpp"
 #include "scenes/job/world/upright_box.hpp"
+#include "thermal/solve/solve_span.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -22,6 +25,13 @@ class Study {
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }
     Progress& progress() { return progress_; }
+    /// Stages that its variants share.
+    const std::shared_ptr<const StageStore>& store() const { return store_; }
+    /// heat_content() of its scene.
+    const std::string& content();
+    /// Of its heat balance, the first guess of its variants; empty if it was not solved here or
+    /// would take more than a gigabyte.
+    const SpanCourse& course() const { return course_; }
     /// Temperatures from a file of the same scene or, if it is "", from the heat balance. Throws
     /// InputError for a file of other facets, and for invalid targets, before anything is
     /// solved.
@@ -37,7 +47,10 @@ class Study {
  private:
     Progress progress_;
     Prepared prepared_;
+    std::shared_ptr<const StageStore> store_;
     Stages stages_;
+    std::string content_{};  // "": not computed yet
+    SpanCourse course_{};
     std::vector<std::string> notes_;
     std::string not_converged_;
 };

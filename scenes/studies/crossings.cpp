@@ -14,6 +14,7 @@ namespace {
 namespace tools = boost::math::tools;
 
 constexpr std::uintmax_t most_asked = 60;
+constexpr int most_secants = 6;
 constexpr double slope_reach = 60.0;  // [s]
 
 struct At {
@@ -88,6 +89,32 @@ void about(const At& a, const At& middle, const At& b, const Asked& difference,
     }
 }
 
+/// The zero of a rising difference between two times, to `width`: secants (Anderson and Bjorck
+/// 1973), until the value is less than the secant makes in half of it, or the bracket is as narrow;
+/// halves where a jump keeps secants from it.
+double zero_within(const Difference& rising, At low, At high, double width) {
+    int side = 0;
+    for (int i = 0; i < int(most_asked) && high.time - low.time > width; ++i) {
+        const double slope = (high.value - low.value) / (high.time - low.time);
+        const double time = i < most_secants
+                                ? std::clamp(low.time - low.value / slope, low.time + 0.1 * width,
+                                             high.time - 0.1 * width)
+                                : 0.5 * (low.time + high.time);
+        const At at{time, rising(time)};
+        if (std::abs(at.value) <= 0.5 * width * slope) return at.time - at.value / slope;
+        At& moved = at.value < 0.0 ? low : high;
+        At& other = at.value < 0.0 ? high : low;
+        const int now = at.value < 0.0 ? -1 : 1;
+        if (now == side) {
+            const double left = 1.0 - at.value / moved.value;
+            other.value *= left > 0.0 ? left : 0.5;
+        }
+        side = now;
+        moved = at;
+    }
+    return 0.5 * (low.time + high.time);
+}
+
 }  // namespace
 
 std::vector<ZeroCrossing> find_crossings(std::span<const double> time,
@@ -125,7 +152,7 @@ std::optional<double> nearest_crossing(const ZeroCrossing& like, const Differenc
     At from{like.at, rising(like.at)};
     if (from.value == 0.0) return from.time;
     const double way = from.value < 0.0 ? 1.0 : -1.0;
-    double step = std::clamp(1.5 * std::abs(from.value / like.slope), 30.0, 1800.0);
+    double step = std::clamp(1.2 * std::abs(from.value / like.slope), 30.0, 1800.0);
     while (true) {
         const double next = std::clamp(from.time + way * step, std::max(first, like.at - reach),
                                        std::min(last, like.at + reach));
@@ -135,11 +162,7 @@ std::optional<double> nearest_crossing(const ZeroCrossing& like, const Differenc
             const At low = way > 0.0 ? from : to, high = way > 0.0 ? to : from;
             if (low.value == 0.0) return low.time;
             if (high.value == 0.0) return high.time;
-            std::uintmax_t asked = most_asked;
-            const auto close = [&](double x, double y) { return y - x <= width; };
-            const auto [x, y] = tools::toms748_solve(rising, low.time, high.time, low.value,
-                                                     high.value, close, asked);
-            return 0.5 * (x + y);
+            return zero_within(rising, low, high, width);
         }
         from = to;
         step = std::min(2.0 * step, 1800.0);

@@ -179,7 +179,10 @@ class Crossovers {
           answer_{.report = std::vector<CrossoverReport>(inputs_.size()), .notes = {}} {}
 
     /// Contrasts and crossings of the scene as it is.
+    ///
+    /// - field: must outlive this
     void find(const TemperatureField& field) {
+        field_ = &field;
         study_.progress().stage(StageId::named, "contrast");
         for (const CrossoverGroup& group : groups_) {
             const SeenRegions regions = seen(study_.stages(), group, field, 1);
@@ -204,8 +207,8 @@ class Crossovers {
         bool any = false;
         for (std::size_t i = 0; i < inputs_.size(); ++i) any |= refined(i);
         if (!any) return;
-        in_other({fmt::format("time.step_s={:g}", 0.5 * study_.scene().time.step)}, 2, refined,
-                 [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
+        in_other({fmt::format("time.step_s={:g}", 0.5 * study_.scene().time.step)}, true, 2,
+                 refined, [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
                      if (refined(i)) crossing.refined = shift;
                  });
     }
@@ -243,7 +246,7 @@ class Crossovers {
         const auto concerns = [&](std::size_t i) {
             return std::find(of.begin(), of.end(), i) != of.end();
         };
-        in_other({setting(key, one_sigma)}, 1, concerns,
+        in_other({setting(key, one_sigma)}, false, 1, concerns,
                  [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
                      for (std::size_t u = 0; u < inputs_[i].uncertain.size(); ++u) {
                          const UncertainInput& one = inputs_[i].uncertain[u];
@@ -260,9 +263,9 @@ class Crossovers {
     /// - concerns(i): whether the i-th crossover is affected
     /// - reported(crossing, i, shift): takes each crossing's shift
     template <class Concerns, class Reported>
-    void in_other(const std::vector<std::string>& settings, int more_samples,
+    void in_other(const std::vector<std::string>& settings, bool finer_steps, int more_samples,
                   const Concerns& concerns, const Reported& reported) {
-        const OtherScene other(scene_with_(settings), study_);
+        const OtherScene other(scene_with_(settings), study_, *field_, finer_steps);
         if (!other.not_converged.empty()) {
             answer_.notes.push_back(
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
@@ -270,13 +273,14 @@ class Crossovers {
         study_.progress().stage(StageId::named, "crossings");
         for (const CrossoverGroup& group : groups_) {
             if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
-            follow(seen(other.stages, group, other.field, more_samples), group, inputs_,
+            follow(seen(other.stages, group, other.field(), more_samples), group, inputs_,
                    answer_.report, reported);
         }
     }
 
     Study& study_;
     const SceneWith& scene_with_;
+    const TemperatureField* field_ = nullptr;
     const std::vector<CrossoverInput>& inputs_;
     const std::vector<CrossoverGroup> groups_;
     CrossoverAnswer answer_;

@@ -6,6 +6,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/job/run/heat.hpp"
+#include "scenes/job/store/heat_content.hpp"
 
 namespace diurna {
 
@@ -14,6 +15,14 @@ namespace {
 Scene every_step(Scene scene) {
     scene.time.every_step = true;
     return scene;
+}
+
+/// The state at the start of the span, where days before it were solved; null: there are none.
+const HeatState* start_of(const SpanCourse& course, const Prepared& prepared) {
+    for (const SpanCourse::Piece& piece : course.piece) {
+        if (!piece.periodic && piece.to == prepared.scene.time.start) return &piece.end;
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -32,16 +41,30 @@ void check_settings(const SceneWith& scene_with, const std::vector<std::string>&
     }
 }
 
-OtherScene::OtherScene(Scene scene, Study& study)
-    : prepared(prepare(every_step(std::move(scene)))), stages(prepared) {
+OtherScene::OtherScene(Scene scene, Study& study, GivenTemperatures given)
+    : prepared(prepare(every_step(std::move(scene)))),
+      stages(prepared, study.store()),
+      own_(std::move(given.field)) {
     if (prepared.world.facets.size() != study.stages().scene().world.facets.size()) {
         throw InputError(prepared.scene.file.string(),
                          "this uncertain value changes the facets of the ground, which alone would "
                          "change the results");
     }
-    SpanResult result = solve_scene(stages, study.progress());
+}
+
+OtherScene::OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps)
+    : OtherScene(std::move(scene), study, GivenTemperatures{}) {
+    if (heat_content(prepared) == study.content()) {
+        base_ = &base;
+        return;
+    }
+    const SpanCourse& course = study.course();
+    SpanResult result =
+        solve_scene(stages, study.progress(), {},
+                    {.like = &course, .start = finer_steps ? start_of(course, prepared) : nullptr});
+    solved = true;
     not_converged = diurna::not_converged(result.report);
-    field = std::move(result.temperature);
+    own_ = std::move(result.temperature);
 }
 
 }  // namespace diurna

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/studies/signature_scene.hpp"
@@ -19,18 +21,41 @@ std::string setting(const std::string& key, double value);
 void check_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
                     const std::string& where);
 
+/// Temperatures that need not be solved.
+struct GivenTemperatures {
+    TemperatureField field;
+};
+
 /// A variant of the studied scene with other numbers, solved; its temperatures are stored at every
-/// step. Must not be moved in memory: its stages refer to it.
+/// step. Views and shadows that the numbers do not change are those of the study; where heat inputs
+/// are equal by content (scenes/job/store/heat_content.hpp) so are the temperatures, and nothing is
+/// solved. Must not be moved in memory: its stages refer to it.
 struct OtherScene {
     Prepared prepared;
     Stages stages;
-    TemperatureField field{};
+    bool solved = false;          // else the temperatures are the study's
     std::string not_converged{};  // "" if the heat balance converged
 
     /// Throws InputError if the numbers change the number of facets.
-    OtherScene(Scene scene, Study& study);
+    ///
+    /// - base: temperatures of the study's own scene; must outlive it
+    /// - finer_steps: it differs only in its steps, and starts from the study's state at the start
+    ///   of the span, if days before it were solved
+    OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps = false);
+    /// With given temperatures, which are not checked; nothing is solved.
+    OtherScene(Scene scene, Study& study, GivenTemperatures given);
     OtherScene(const OtherScene&) = delete;
     OtherScene& operator=(const OtherScene&) = delete;
+
+    const TemperatureField& field() const { return base_ ? *base_ : own_; }
+    /// Its own temperatures; nothing if they are the study's. Not to be used afterwards.
+    std::optional<TemperatureField> take_field() {
+        return base_ ? std::nullopt : std::optional(std::move(own_));
+    }
+
+ private:
+    const TemperatureField* base_ = nullptr;  // null: its own
+    TemperatureField own_{};
 };
 
 }  // namespace diurna

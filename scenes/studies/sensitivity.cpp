@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/studies/combined_heat.hpp"
 #include "scenes/studies/crossings.hpp"
 #include "scenes/studies/seen_regions.hpp"
 
@@ -151,6 +152,51 @@ void add_notes(const SensitivityInput& input, SensitivityReport& report) {
     }
 }
 
+/// Whether the temperatures of every number at three places can be kept in memory.
+bool may_combine(const SensitivityInput& input, const TemperatureField& field) {
+    constexpr double most_bytes = 4e9;
+    const double fields = 3.0 * double(input.uncertain.size()) + 4.0;
+    return !input.exact && fields * sizeof(float) * double(field.kelvin.size()) < most_bytes;
+}
+
+std::size_t farthest(const std::vector<std::vector<double>>& point, const CombinedHeat& combined) {
+    std::size_t farthest = 0;
+    double most = -1.0;
+    for (std::size_t p = 0; p < point.size(); ++p) {
+        const double away = combined.departure(point[p]);
+        if (away > most) {
+            most = away;
+            farthest = p;
+        }
+    }
+    return farthest;
+}
+
+/// What is to be reported of combined temperatures.
+void add_combined(const SensitivityInput& input, SensitivityReport& report) {
+    const CombinedScenes& combined = report.combined;
+    if (combined.settings.empty()) return;
+    const std::string error = fmt::format(
+        "with {} combined temperatures differ from a whole solution by {:.2g} K rms, "
+        "{:.2g} K at most (tolerance_K = {:g})",
+        fmt::join(combined.settings, ", "), combined.rms, combined.worst, input.tolerance);
+    if (combined.scenes == 0) {
+        report.notes.push_back("screening: every scene is solved: " + error);
+        return;
+    }
+    std::vector<std::string> outputs;
+    for (std::size_t o = 0; o < input.outputs.size(); ++o) {
+        if (std::isnan(combined.output[o])) continue;
+        const bool hours = input.outputs[o].figure == SensitivityFigure::crossover;
+        outputs.push_back(fmt::format("{} by {:.2g} {}", input.outputs[o].name, combined.output[o],
+                                      hours ? "h" : "K"));
+    }
+    report.notes.push_back(fmt::format(
+        "screening: the temperatures of {} scenes are combined from those with one value changed; "
+        "{}{}{}",
+        combined.scenes, error, outputs.empty() ? "" : "; outputs: ", fmt::join(outputs, ", ")));
+}
+
 }  // namespace
 
 void check_sensitivity(const Study& study, const SensitivityInput& input,
@@ -174,20 +220,35 @@ SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
     Likes likes(outputs);
     study.progress().stage(StageId::named, "sensitivity");
     const std::vector<double> base = sensitivity_figures(input, study.stages(), field, true, likes);
-    const auto solved_with = [&](const std::vector<std::string>& settings) {
-        const OtherScene other(scene_with(settings), study);
+    const auto not_converged_note = [&](const OtherScene& other,
+                                        const std::vector<std::string>& settings) {
+        if (other.not_converged.empty()) return;
+        report.converged = false;
+        report.notes.push_back(
+            fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
+    };
+    const auto evaluated = [&](OtherScene& other) {
+        return sensitivity_figures(input, other.stages, other.field(), false, likes);
+    };
+    const auto solve_with = [&](const std::vector<std::string>& settings,
+                                std::optional<TemperatureField>* own = nullptr) {
+        OtherScene other(scene_with(settings), study, field);
         ++report.scenes;
-        if (!other.not_converged.empty()) {
-            report.converged = false;
-            report.notes.push_back(
-                fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
-        }
-        return sensitivity_figures(input, other.stages, other.field, false, likes);
+        ++(other.solved ? report.solved : report.shared);
+        not_converged_note(other, settings);
+        std::vector<double> found = evaluated(other);
+        if (own) *own = other.take_field();
+        return found;
     };
     for (std::size_t o = 0; o < outputs; ++o) report.output[o].base = base[o];
+    CombinedHeat combined(field);
+    bool combine = input.trajectories > 1 && may_combine(input, field);
     for (const RangedInput& one : input.uncertain) {
-        const std::vector<double> low = solved_with({setting(one.key, one.low)});
-        const std::vector<double> high = solved_with({setting(one.key, one.high)});
+        CombinedHeat::Changed changed;
+        const std::vector<double> low =
+            solve_with({setting(one.key, one.low)}, combine ? &changed.low : nullptr);
+        const std::vector<double> high =
+            solve_with({setting(one.key, one.high)}, combine ? &changed.high : nullptr);
         for (std::size_t o = 0; o < outputs; ++o) {
             const double change = high[o] - low[o];
             report.output[o].alone.push_back(
@@ -195,19 +256,62 @@ SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
             report.output[o].deviation =
                 std::hypot(report.output[o].deviation, change / std::sqrt(12.0));
         }
+        changed.has_middle = combine && input.levels > 2;
+        if (changed.has_middle) {
+            const std::vector<std::string> middle{setting(one.key, 0.5 * (one.low + one.high))};
+            OtherScene other(scene_with(middle), study, field);
+            report.solved += other.solved ? 1 : 0;
+            not_converged_note(other, middle);
+            changed.middle = other.take_field();
+        }
+        combine = combine && combined.add(std::move(changed));
     }
     if (input.trajectories > 0) {
         const MorrisDesign design = design_of(input, study.scene());
-        std::vector<std::vector<double>> result(outputs);
-        for (const std::vector<double>& point : design.point) {
-            const std::vector<double> found = solved_with(settings_at(input, point));
-            for (std::size_t o = 0; o < outputs; ++o) result[o].push_back(found[o]);
+        std::vector<std::vector<double>> figures(design.point.size());
+        if (combine) {
+            const std::size_t far = farthest(design.point, combined);
+            const std::vector<std::string> settings = settings_at(input, design.point[far]);
+            std::optional<TemperatureField> whole;
+            figures[far] = solve_with(settings, &whole);
+            const TemperatureField guess = combined.at(design.point[far]);
+            const FieldDifference apart = difference_of(guess, whole ? *whole : field);
+            OtherScene other(scene_with(settings), study, GivenTemperatures{guess});
+            report.combined = {.scenes = 0,
+                               .settings = settings,
+                               .rms = apart.rms,
+                               .worst = apart.worst,
+                               .output = evaluated(other)};
+            for (std::size_t o = 0; o < outputs; ++o) report.combined.output[o] -= figures[far][o];
+            combine = apart.rms <= input.tolerance;
+        }
+        for (std::size_t p = 0; p < design.point.size(); ++p) {
+            if (!figures[p].empty()) continue;
+            const std::vector<std::string> settings = settings_at(input, design.point[p]);
+            if (!combine) {
+                figures[p] = solve_with(settings);
+                continue;
+            }
+            OtherScene other(scene_with(settings), study,
+                             GivenTemperatures{combined.at(design.point[p])});
+            ++report.scenes;
+            ++report.combined.scenes;
+            figures[p] = evaluated(other);
         }
         for (std::size_t o = 0; o < outputs; ++o) {
-            report.output[o].effect = elementary_effects(design, result[o]);
+            std::vector<double> result;
+            for (const std::vector<double>& of_point : figures) result.push_back(of_point[o]);
+            report.output[o].effect = elementary_effects(design, result);
         }
     }
     add_notes(input, report);
+    add_combined(input, report);
+    if (report.shared > 0) {
+        report.notes.push_back(
+            fmt::format("{} of {} changed scenes have the temperatures of the unchanged scene and "
+                        "were not solved",
+                        report.shared, report.scenes));
+    }
     return report;
 }
 

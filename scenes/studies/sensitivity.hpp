@@ -27,9 +27,21 @@ struct OutputSensitivity {
     double deviation = 0.0;
 };
 
+/// Scenes of the screening whose temperatures are combined (scenes/studies/combined_heat.hpp), and
+/// the error where one of them was solved.
+struct CombinedScenes {
+    std::size_t scenes = 0;               // that were not solved
+    std::vector<std::string> settings{};  // of the one that was; empty: none was tried
+    double rms = 0.0, worst = 0.0;        // [K] of its temperatures, over facets and steps
+    std::vector<double> output{};         // (output) [K], [h] combined minus solved; NaN: undefined
+};
+
 struct SensitivityReport {
     std::vector<OutputSensitivity> output;
-    std::size_t scenes = 0;            // solved in addition to the study's own
+    std::size_t scenes = 0;  // evaluated in addition to the study's own
+    std::size_t solved = 0;  // heat balances, also in the middle of ranges
+    std::size_t shared = 0;  // of these, with the temperatures of the unchanged scene
+    CombinedScenes combined{};
     std::vector<std::string> notes{};  // without convergence, effect, or crossover
     bool converged = true;             // the heat balances of those scenes converged
 };

@@ -92,8 +92,17 @@ std::string sensitivity_json(const SensitivityInput& input, const SensitivityRep
     OrderedJson json{{"study", "sensitivity"},
                      {"name", input.name},
                      {"scenes", report.scenes},
+                     {"scenes_solved", report.solved},
                      {"trajectories", input.trajectories},
                      {"levels", input.levels}};
+    if (const CombinedScenes& combined = report.combined; !combined.settings.empty()) {
+        json["combined"] = {{"scenes", combined.scenes},      {"solved_at", combined.settings},
+                            {"rms_K", combined.rms},          {"worst_K", combined.worst},
+                            {"tolerance_K", input.tolerance}, {"outputs", OrderedJson::array()}};
+        for (const double error : combined.output) {
+            json["combined"]["outputs"].push_back(number_or_null(error));
+        }
+    }
     json["elementary_effects"] =
         "change over the whole range of a value (Morris 1991): mean is mu, mean_size mu*, "
         "morris_sigma sigma";

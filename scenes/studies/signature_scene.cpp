@@ -14,6 +14,7 @@
 #include "scenes/job/run/picture.hpp"
 #include "scenes/job/run/represented.hpp"
 #include "scenes/job/run/series.hpp"
+#include "scenes/job/store/heat_content.hpp"
 #include "scenes/products/labels/labelled.hpp"
 #include "scenes/studies/seen_regions.hpp"
 #include "terrain/place/local_time.hpp"
@@ -32,9 +33,15 @@ Prepared made_ready(Scene scene, Progress& progress) {
 Study::Study(Scene scene, ProgressTo progress)
     : progress_(std::move(progress)),
       prepared_(made_ready(std::move(scene), progress_)),
-      stages_(prepared_) {
+      store_(StageStore::in_memory()),
+      stages_(prepared_, store_) {
     check_start(prepared_);
     notes_ = prepared_.notes;
+}
+
+const std::string& Study::content() {
+    if (content_.empty()) content_ = heat_content(prepared_);
+    return content_;
 }
 
 TemperatureField Study::heat(const std::filesystem::path& file,
@@ -83,7 +90,13 @@ TemperatureField Study::whole_heat(const std::filesystem::path& file) {
 }
 
 TemperatureField Study::solve() {
-    SpanResult result = solve_scene(stages_, progress_);
+    constexpr double most_bytes = 1e9;
+    const TimeInput& time = scene().time;
+    const double bytes = sizeof(float) * double(prepared_.world.surfaces().size()) *
+                         (time.duration / time.step + 2.0 * 86400.0 / time.step);
+    SpanResult result =
+        solve_scene(stages_, progress_, {}, {.keep_course = time.every_step && bytes < most_bytes});
+    course_ = std::move(result.course);
     not_converged_ = diurna::not_converged(result.report);
     notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
     return std::move(result.temperature);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "scenes/job/plan/progress.hpp"
 #include "scenes/job/run/given_heat.hpp"
 #include "scenes/job/run/stages.hpp"
+#include "scenes/job/store/stage_store.hpp"
 #include "scenes/job/world/upright_box.hpp"
+#include "thermal/solve/solve_span.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -27,6 +30,13 @@ class Study {
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }
     Progress& progress() { return progress_; }
+    /// Stages that its variants share.
+    const std::shared_ptr<const StageStore>& store() const { return store_; }
+    /// heat_content() of its scene.
+    const std::string& content();
+    /// Of its heat balance, the first guess of its variants; empty if it was not solved here or
+    /// would take more than a gigabyte.
+    const SpanCourse& course() const { return course_; }
     /// Temperatures from a file of the same scene or, if it is "", from the heat balance. If facets
     /// of the file have a representative's temperature, and this changes the study's pictures by
     /// more than tolerance_K, all facets are solved instead; a note reports either. Throws
@@ -51,7 +61,10 @@ class Study {
 
     Progress progress_;
     Prepared prepared_;
+    std::shared_ptr<const StageStore> store_;
     Stages stages_;
+    std::string content_{};  // "": not computed yet
+    SpanCourse course_{};
     std::vector<std::string> notes_;
     std::string not_converged_;
 };

@@ -60,6 +60,7 @@ void NetworkFacets::set_out_from(const std::vector<std::vector<double>>& left) {
         std::size_t values = network.lump.size();
         for (std::size_t f = 0; f < network.facet.size(); ++f) values += network.grid_of(f).size();
         if (left[t].size() != values) {
+            if (solve_.options.periodic) continue;  // only a first guess
             throw InputError("thermal solve", "the initial state belongs to other targets");
         }
         target_[t].start = left[t];

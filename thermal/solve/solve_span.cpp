@@ -162,6 +162,30 @@ SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weathe
         measured_share, sunlight_views, from,      guess};
 }
 
+/// Of a similar solve the same piece, with as many facets; null: none.
+const SpanCourse::Piece* like_piece(const Piece& piece, const SpanStage& stage, const Walk& walk) {
+    if (!walk.options.like) return nullptr;
+    for (const SpanCourse::Piece& one : walk.options.like->piece) {
+        if (one.from == piece.from && one.to == piece.to && one.periodic == piece.periodic &&
+            one.steps.facets == stage.input.facets.size()) {
+            return &one;
+        }
+    }
+    return nullptr;
+}
+
+/// Temperatures at every one of some steps.
+TemperatureField at_steps(const TemperatureField& field, const std::vector<Instant>& steps) {
+    if (field.instant == steps) return field;
+    TemperatureField there{.instant = steps, .facets = field.facets, .kelvin = {}};
+    there.kelvin.reserve(steps.size() * field.facets);
+    for (const Instant when : steps) {
+        const std::vector<float> row = field.interpolate(when);
+        there.kelvin.insert(there.kelvin.end(), row.begin(), row.end());
+    }
+    return there;
+}
+
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.
 void solve_piece(const Piece& piece, Walk& walk) {
     SolveOptions options = walk.options.day;
@@ -174,7 +198,8 @@ void solve_piece(const Piece& piece, Walk& walk) {
     // up for it.
     const SpanStage& stage = walk.stage_at(piece.from);
     const bool changed = !piece.periodic && stage.from == piece.from && walk.stages.size() > 1;
-    if (changed || (walk.options.begin == SpanStart::state && walk.days == 0)) {
+    const SpanCourse::Piece* const like = like_piece(piece, stage, walk);
+    if (changed || (!like && walk.options.begin == SpanStart::state && walk.days == 0)) {
         options.settled = 1e-3;
     }
     const double done = walk.days++, all = std::max(walk.days, walk.all_days);
@@ -186,10 +211,15 @@ void solve_piece(const Piece& piece, Walk& walk) {
     options.heat_at = steps_around(reported, steps);
     const SunExposure sun = stage.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
-    SolveResult result =
-        solve(of_piece(stage.input, sun, piece.weather, begun ? &walk.state : nullptr,
-                       begun && walk.days > 1 && !changed ? &walk.day_before : nullptr),
-              options);
+    const HeatState* from = begun ? &walk.state : nullptr;
+    const TemperatureField* guess = begun && walk.days > 1 && !changed ? &walk.day_before : nullptr;
+    TemperatureField similar;
+    if (like) {
+        similar = at_steps(like->steps, steps);
+        if (piece.periodic) from = &like->end;
+        if (from) guess = &similar;
+    }
+    SolveResult result = solve(of_piece(stage.input, sun, piece.weather, from, guess), options);
     add_report(result.report, walk.result.report);
     if (piece.periodic) {
         walk.result.repeated = result.report.converged;
@@ -197,6 +227,10 @@ void solve_piece(const Piece& piece, Walk& walk) {
     }
     for (const Instant when : reported) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
+    if (walk.options.keep_course) {
+        walk.result.course.piece.push_back(
+            {piece.from, piece.to, piece.periodic, result.end, result.temperature});
+    }
     walk.state = std::move(result.end);
     walk.day_before = std::move(result.temperature);
 }

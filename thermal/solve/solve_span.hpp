@@ -18,6 +18,18 @@ enum class SpanStart {
     state,     // SpanOptions::from
 };
 
+/// The pieces of a span as they were solved, for another solve of the same span with other numbers
+/// or steps (SpanOptions::like).
+struct SpanCourse {
+    struct Piece {
+        Instant from, to;
+        bool periodic = false;
+        HeatState end{};           // of a periodic one also its start
+        TemperatureField steps{};  // every step
+    };
+    std::vector<Piece> piece{};
+};
+
 /// The days of a span in sequence, each stepped as `day` says except for its start, duration and
 /// periodicity.
 struct SpanOptions {
@@ -28,6 +40,10 @@ struct SpanOptions {
     std::vector<Instant> wanted{};    // ascending, within the span: temperatures are stored
     bool heat = false;                // and heat balances
     const HeatState* from = nullptr;  // of SpanStart::state: the heat at the start
+    bool keep_course = false;         // SpanResult::course is requested
+    /// First guess of every piece: a similar solve of the same span. The periodic day starts from
+    /// its state without steps of an hour. The result converges to the same limits as without.
+    const SpanCourse* like = nullptr;
     bool goes_on = false;  // another span continues from SpanResult::end: modes slower than a day
                            // are retained
 };
@@ -55,6 +71,7 @@ struct SpanResult {
     std::string start;                 // how the start was computed, in one line
     std::vector<std::string> notes{};  // one line each, for the report
     HeatState end{};                   // end of the span, if it continues
+    SpanCourse course{};               // if requested
     HeatFluxField heat{};  // at the requested instants, linear between steps; if requested
 };
 

@@ -306,14 +306,18 @@ HeatFluxField record_heat(SolveState& solve, const Level& level, PointFacets& po
     return record.field();
 }
 
+/// Whether the start is only a first guess: of a periodic span, whose start is sought.
+bool guesses_start(const SolveState& solve) { return solve.options.periodic; }
+
 /// Sets out a block's columns from those of another solve's blocks, facet by facet.
-void set_out_lanes(const HeatState& from, const std::vector<std::array<std::size_t, 2>>& place,
-                   Block& block) {
+void set_out_lanes(const SolveState& solve, const HeatState& from,
+                   const std::vector<std::array<std::size_t, 2>>& place, Block& block) {
     const std::size_t states = block.start.size() / block.stride;
     for (std::size_t lane = 0; lane < block.facet.size(); ++lane) {
         const auto [b, l] = place[block.facet[lane]];
         const std::size_t stride = b < from.block.size() ? from.block[b].size() / states : 0;
         if (stride * states == 0 || from.block[b].size() != stride * states || l >= stride) {
+            if (guesses_start(solve)) continue;  // as settled
             throw InputError("thermal solve", "the initial state belongs to other columns");
         }
         for (std::size_t m = 0; m < states; ++m) {
@@ -343,7 +347,7 @@ void set_out_from(const HeatState& from, SolveState& solve) {
                 place[from.of_block[b][l]] = {b, l};
             }
         }
-        for (Block& block : solve.block) set_out_lanes(from, place, block);
+        for (Block& block : solve.block) set_out_lanes(solve, from, place, block);
     }
     const TemperatureField* const guess = solve.input.guess;
     const bool alike = guess && guess->kelvin.size() == solve.kelvin.size();
@@ -398,13 +402,15 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     ExchangeRoom room;
     NetworkFacets targets(state);
     if (input.from) targets.set_out_from(input.from->network);
-    if (const std::size_t stride = coarse_stride(state); options.periodic && stride > 1) {
+    const std::size_t stride = coarse_stride(state);
+    if (options.periodic && stride > 1 && !input.from) {
         pass_in_hours(state, kinds, stride, fine, targets, room, report);
     } else {
         renew_longwave(state, fine, room, report);
     }
     PointFacets points(state);
-    if (input.from) points.set_out_from(input.from->point);
+    // A first guess does without: points find their own start from the blocks'.
+    if (input.from && !options.periodic) points.set_out_from(input.from->point);
     pass_until_settled(state, fine, points, targets, room, report);
     room = {};
     HeatFluxField heat = record_heat(state, fine, points, targets);

@@ -20,7 +20,7 @@ const std::vector<VerbGroup>& verb_groups() {
         {"Prepare a scene", {"new", "inspect", "keys", "materials", "model", "check", "plan"}},
         {"Compute", {"run", "solve", "render", "slurm", "merge"}},
         {"Study a scene", {"signature", "detection", "contrast", "crossover", "sensitivity"}},
-        {"Use results", {"audit", "verify", "export", "movie"}},
+        {"Use results", {"audit", "verify", "export", "reshade", "movie"}},
         {"Single calculations", {"column", "calibrate", "path", "sun", "mesh", "visibility"}},
         {"Installation", {"doctor", "pages"}},
     };

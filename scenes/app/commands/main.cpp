@@ -34,6 +34,7 @@
 #include "scenes/app/commands/pages_command.hpp"
 #include "scenes/app/commands/path_command.hpp"
 #include "scenes/app/commands/raster_commands.hpp"
+#include "scenes/app/commands/reshade_command.hpp"
 #include "scenes/app/commands/run_command.hpp"
 #include "scenes/app/commands/slurm_command.hpp"
 #include "scenes/app/commands/solve_command.hpp"
@@ -54,6 +55,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_materials_verb, add_model_verb,  add_movie_verb, add_verify_verb,    add_keys_verb,
     add_doctor_verb,    add_study_verbs, add_new_verb,   add_calibrate_verb, add_pages_verb,
     add_inspect_verb,   add_export_verb, add_merge_verb, add_slurm_verb,     add_audit_verb,
+    add_reshade_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

@@ -63,7 +63,8 @@ SweptHeat read_heat_record(const fs::path& folder) {
             .sha256 = json.value("temperatures_sha256", ""),
             .start = json.value("start", ""),
             .not_converged = json.value("not_converged", ""),
-            .notes = json.value("notes", std::vector<std::string>{})};
+            .notes = json.value("notes", std::vector<std::string>{}),
+            .content = json.value("heat_content", "")};
 }
 
 VariantRecord read_variant_record(const fs::path& folder) {
@@ -76,11 +77,9 @@ VariantRecord read_variant_record(const fs::path& folder) {
 }
 
 void write_heat_record(const fs::path& folder, const SweptHeat& record) {
-    const OrderedJson json = {{"key", record.key},
-                              {"temperatures_sha256", record.sha256},
-                              {"start", record.start},
-                              {"not_converged", record.not_converged},
-                              {"notes", record.notes}};
+    const OrderedJson json = {{"key", record.key},     {"temperatures_sha256", record.sha256},
+                              {"start", record.start}, {"not_converged", record.not_converged},
+                              {"notes", record.notes}, {"heat_content", record.content}};
     write_whole_file(folder / "done.json",
                      json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -17,6 +17,7 @@ struct SweptHeat {
     std::string sha256;  // of its temperatures.nc
     std::string start, not_converged;
     std::vector<std::string> notes;
+    std::string content{};  // heat_content() of its scene
 };
 /// "variants/v07/variant.json"
 struct VariantRecord {

@@ -26,6 +26,7 @@
 #include "scenes/job/run/run_folder.hpp"
 #include "scenes/job/run/stages.hpp"
 #include "scenes/job/store/digest.hpp"
+#include "scenes/job/store/heat_content.hpp"
 #include "scenes/job/store/inputs.hpp"
 #include "scenes/job/world/stepping.hpp"
 #include "scenes/products/labels/label_frames.hpp"
@@ -85,7 +86,33 @@ void tell(const SweptHeat& record, const std::string& heat, SweepReport& report)
     for (const std::string& note : record.notes) tell_once(report.notes, note);
 }
 
-/// Temperatures of a group: kept, or solved and written.
+/// A heat of the sweep, already solved, whose scene has the same content (heat_content): its
+/// record and temperatures at the same instants. Not where states, fluxes or radiometers are
+/// written, which are not stored with it.
+struct EqualHeat {
+    SweptHeat record;
+    TemperatureField field;
+};
+std::optional<EqualHeat> equal_heat(const Group& group, const Prepared& prepared,
+                                    const std::string& content) {
+    const OutputInput& output = prepared.scene.output;
+    if (output.state || output.fluxes || !prepared.radiometers.empty()) return std::nullopt;
+    if (!prepared.movement.none()) return std::nullopt;
+    std::set<std::string> heats;
+    for (const Variant& variant : group.sweep.variants) heats.insert(variant.heat);
+    for (const std::string& heat : heats) {
+        const fs::path folder = heat_folder(group.options.out, heat);
+        SweptHeat record = read_heat_record(folder);
+        if (record.content != content || folder == group.folder()) continue;
+        if (!is_whole(folder, {{"temperatures.nc", record.sha256}})) continue;
+        TemperatureField field = load_temperature_field(folder / "temperatures.nc");
+        if (field.instant != scene_span(prepared.scene).wanted) continue;
+        return EqualHeat{std::move(record), std::move(field)};
+    }
+    return std::nullopt;
+}
+
+/// Temperatures of a group: kept, or taken from a heat of equal content, or solved; and written.
 TemperatureField temperatures(const Group& group, const Stages& stages, Progress& progress,
                               SweepReport& report) {
     const fs::path folder = group.folder(), file = folder / "temperatures.nc";
@@ -97,15 +124,28 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
     } else {
         fs::create_directories(folder);
         fs::remove(folder / "done.json");
-        SpanResult result = solve_scene(stages, progress);
-        progress.stage(StageId::write_temperatures);
-        write_heat(stages.scene(), run_inputs(stages.scene().scene), result, file);
-        HeatReport reported = heat_report(stages.scene().scene, result);
-        write_radiometers(stages, result, folder, reported);
-        record = {group.key, sha256_of_file(file), reported.start, reported.not_converged,
-                  reported.notes};
+        const Prepared& prepared = stages.scene();
+        const std::string content = heat_content(prepared);
+        const std::vector<RunInput> inputs = run_inputs(prepared.scene);
+        std::optional<EqualHeat> equal = equal_heat(group, prepared, content);
+        SpanResult result;
+        if (equal) {
+            record = std::move(equal->record);
+            result.temperature = std::move(equal->field);
+            progress.stage(StageId::write_temperatures);
+            write_heat(prepared, inputs, result, file);
+        } else {
+            result = solve_scene(stages, progress);
+            progress.stage(StageId::write_temperatures);
+            write_heat(prepared, inputs, result, file);
+            HeatReport reported = heat_report(prepared.scene, result);
+            write_radiometers(stages, result, folder, reported);
+            record = {"", "", reported.start, reported.not_converged, reported.notes, content};
+            ++report.solved;
+        }
+        record.key = group.key;
+        record.sha256 = sha256_of_file(file);
         write_heat_record(folder, record);
-        ++report.solved;
         field = std::move(result.temperature);
     }
     tell(record, group.variants.front().heat, report);

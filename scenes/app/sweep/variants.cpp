@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "materials/base/document.hpp"
 #include "materials/base/random.hpp"
@@ -16,10 +18,13 @@ namespace diurna {
 
 namespace {
 
-/// Takes value `choice` of an axis to where its keys lead.
-void take(Document& document, const SweepAxis& axis, std::size_t number, std::size_t choice) {
+/// Takes value `choice` of an axis to where its keys lead, of those keys that count.
+template <class Counts>
+void take(Document& document, const SweepAxis& axis, std::size_t number, std::size_t choice,
+          const Counts& counts) {
     const std::string from = fmt::format("sweep.axis.{}.values.{}", number, choice);
     for (std::size_t k = 0; k < axis.keys.size(); ++k) {
+        if (!counts(axis.keys[k])) continue;
         document.move_value(axis.keys.size() == 1 ? from : fmt::format("{}.{}", from, k),
                             axis.keys[k]);
     }
@@ -31,13 +36,15 @@ Document document_of(const Sweep& sweep) {
     return document;
 }
 
-/// With a variant's values of those axes that count.
+bool every_key(const std::string&) { return true; }
+
+/// With a variant's values of those keys that count.
 template <class Counts>
 Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& counts) {
     Document document = document_of(sweep);
     const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
     for (std::size_t a = 0; a < axes.size(); ++a) {
-        if (counts(axes[a])) take(document, axes[a], a, variant.choice[a]);
+        take(document, axes[a], a, variant.choice[a], counts);
     }
     document.drop("sweep");
     return read_scene(document);
@@ -77,7 +84,10 @@ std::size_t digits(std::uint64_t count) {
 }
 
 /// Of the grid, the last axis running fastest.
-Variant variant_of(const Sweep& whole, std::uint64_t number) {
+///
+/// - heats: (axis) heat_classes()
+Variant variant_of(const Sweep& whole, const std::vector<std::vector<std::size_t>>& heats_of,
+                   std::uint64_t number) {
     const SweepInput& sweep = whole.base.sweep;
     Variant variant{.name = fmt::format("v{:0{}}", number, digits(std::uint64_t(sweep.grid()))),
                     .choice = std::vector<std::size_t>(sweep.axes.size()),
@@ -89,9 +99,10 @@ Variant variant_of(const Sweep& whole, std::uint64_t number) {
     }
     std::uint64_t heat = 0, heats = 1;
     for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
-        if (!touches_heat(whole, sweep.axes[a])) continue;
-        heat = heat * sweep.axes[a].values.size() + variant.choice[a];
-        heats *= sweep.axes[a].values.size();
+        const std::vector<std::size_t>& classes = heats_of[a];
+        const std::size_t count = 1 + *std::max_element(classes.begin(), classes.end());
+        heat = heat * count + classes[variant.choice[a]];
+        heats *= count;
     }
     variant.heat = fmt::format("h{:0{}}", heat, digits(heats));
     return variant;
@@ -107,7 +118,7 @@ void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
         for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
             try {
                 Document document = document_of(sweep);
-                take(document, axes[a], a, v);
+                take(document, axes[a], a, v, every_key);
                 document.drop("sweep");
                 use(read_scene(document));
             } catch (const InputError& error) {
@@ -128,13 +139,29 @@ std::size_t Sweep::solves() const {
     return heats.size();
 }
 
+bool touches_heat(const Sweep& sweep, const std::string& key) {
+    const std::size_t last = key.rfind('.') + 1;  // of no dot: 0
+    if (key.starts_with("labels.") || key.starts_with("instrument.")) return false;
+    return !key.starts_with("observer.") || key.substr(last).starts_with("frame") ||
+           sweep.ground_by_observers;
+}
+
+std::vector<std::size_t> heat_classes(const Sweep& sweep, const SweepAxis& axis) {
+    std::map<std::vector<std::string>, std::size_t> known;
+    std::vector<std::size_t> classes;
+    for (const std::vector<std::string>& row : axis.values) {
+        std::vector<std::string> heat;
+        for (std::size_t k = 0; k < axis.keys.size(); ++k) {
+            if (touches_heat(sweep, axis.keys[k])) heat.push_back(row[k]);
+        }
+        classes.push_back(known.try_emplace(std::move(heat), known.size()).first->second);
+    }
+    return classes;
+}
+
 bool touches_heat(const Sweep& sweep, const SweepAxis& axis) {
-    return !std::all_of(axis.keys.begin(), axis.keys.end(), [&](const std::string& key) {
-        const std::size_t last = key.rfind('.') + 1;  // of no dot: 0
-        if (key.starts_with("labels.") || key.starts_with("instrument.")) return true;
-        return key.starts_with("observer.") && !key.substr(last).starts_with("frame") &&
-               !sweep.ground_by_observers;
-    });
+    const std::vector<std::size_t> classes = heat_classes(sweep, axis);
+    return std::any_of(classes.begin(), classes.end(), [](std::size_t one) { return one > 0; });
 }
 
 Sweep read_sweep_variants(const std::filesystem::path& file,
@@ -145,8 +172,12 @@ Sweep read_sweep_variants(const std::filesystem::path& file,
                 .variants = {}};
     for_each_value(sweep, [](const Scene&) {});
     sweep.ground_by_observers = ground_by_observers(sweep.base);
+    std::vector<std::vector<std::size_t>> heats_of;
+    for (const SweepAxis& axis : sweep.base.sweep.axes) {
+        heats_of.push_back(heat_classes(sweep, axis));
+    }
     for (const std::uint64_t number : chosen_numbers(sweep.base.sweep, sweep.base.seed)) {
-        sweep.variants.push_back(variant_of(sweep, number));
+        sweep.variants.push_back(variant_of(sweep, heats_of, number));
     }
     std::stable_sort(sweep.variants.begin(), sweep.variants.end(),
                      [](const Variant& a, const Variant& b) { return a.heat < b.heat; });
@@ -154,12 +185,12 @@ Sweep read_sweep_variants(const std::filesystem::path& file,
 }
 
 Scene scene_of(const Sweep& sweep, const Variant& variant) {
-    return scene_with(sweep, variant, [](const SweepAxis&) { return true; });
+    return scene_with(sweep, variant, every_key);
 }
 
 Scene heat_scene_of(const Sweep& sweep, const Variant& variant) {
     return scene_with(sweep, variant,
-                      [&](const SweepAxis& axis) { return touches_heat(sweep, axis); });
+                      [&](const std::string& key) { return touches_heat(sweep, key); });
 }
 
 std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant) {
@@ -167,7 +198,7 @@ std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& varian
     const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t k = 0; k < axes[a].keys.size(); ++k) {
-            if (!touches_heat(sweep, axes[a])) continue;
+            if (!touches_heat(sweep, axes[a].keys[k])) continue;
             settings.push_back(axes[a].keys[k] + "=" + axes[a].values[variant.choice[a]][k]);
         }
     }

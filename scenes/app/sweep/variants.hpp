@@ -37,14 +37,19 @@ Sweep read_sweep_variants(const std::filesystem::path& file,
 /// mistakes of reading and of `use`, at the position of the values, each once.
 void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use);
 
-/// Whether variants that differ in this axis have different temperatures. Else it affects only
-/// pictures: observers (except their times), and labels.
+/// Whether a key may change temperatures. Else it affects only pictures: observers (except their
+/// times), instruments and labels.
+bool touches_heat(const Sweep& sweep, const std::string& key);
+/// (value of an axis) number of its heat: values that agree in all keys that may change
+/// temperatures have one number; ascending from 0 without gaps.
+std::vector<std::size_t> heat_classes(const Sweep& sweep, const SweepAxis& axis);
+/// Whether variants that differ in this axis may have different temperatures.
 bool touches_heat(const Sweep& sweep, const SweepAxis& axis);
 
 /// The scene of a variant.
 Scene scene_of(const Sweep& sweep, const Variant& variant);
 
-/// The scene with those of its values that affect heat: the same for all variants of one heat.
+/// The scene with those of its values that may affect heat: the same for all variants of one heat.
 Scene heat_scene_of(const Sweep& sweep, const Variant& variant);
 /// The command line's settings and those values, as "key=value".
 std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant);

@@ -184,14 +184,25 @@ std::vector<SensitivityInput> read_sensitivities(const Section& root, const Terr
         }
         name_outputs(outputs, observers, input.outputs);
         if (input.outputs.empty()) section.mistake("output", "missing, expected at least one");
-        input.trajectories = std::size_t(section.integer_or(
-            "trajectories",
-            "number of trajectories of Morris's screening; each solves one scene more than there "
-            "are uncertain values; 0: one value at a time only",
-            static_cast<int>(input.trajectories), {0, 1000}));
+        input.trajectories =
+            std::size_t(section.integer_or("trajectories",
+                                           "number of trajectories of Morris's screening; each "
+                                           "evaluates one scene more than there "
+                                           "are uncertain values; 0: one value at a time only",
+                                           static_cast<int>(input.trajectories), {0, 1000}));
         input.levels = section.integer_or("levels", "number of levels of every value, even",
                                           input.levels, {2, 100});
         if (input.levels % 2 != 0) section.mistake("levels", "expected an even number");
+        input.exact = section.flag_or(
+            "exact",
+            "solve every scene of the screening; false: only the one farthest from the scene, and "
+            "combine the temperatures of the others from the scenes with one value changed",
+            input.exact);
+        input.tolerance = section.number_or(
+            "tolerance_K",
+            "allowed rms error of combined temperatures, measured on the scene that is farthest "
+            "from the unchanged one; if it is exceeded, every scene is solved",
+            input.tolerance, {0.0, 10.0});
         found.push_back(std::move(input));
     }
     return found;

@@ -45,7 +45,9 @@ struct SensitivityInput {
     std::vector<SensitivityOutput> outputs;
     std::size_t trajectories = 4;  // of Morris's screening; 0: none
     int levels = 4;
-    std::string where;  // in the scene file
+    bool exact = false;       // every scene of the screening is solved
+    double tolerance = 0.05;  // [K] rms of temperatures that are combined instead
+    std::string where;        // in the scene file
 };
 
 std::vector<SensitivityInput> read_sensitivities(const Section& root, const TerrainInput& terrain,

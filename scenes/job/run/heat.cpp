@@ -191,12 +191,19 @@ std::string reported(const NeededFacets& needed, const TemperatureField& field) 
 
 }  // namespace
 
-SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision) {
+SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision,
+                        const SimilarSolves& similar) {
     const Prepared& scene = stages.scene();
     const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage(StageId::heat_balance);
     SpanOptions span = scene_span(scene.scene);
     span.from = earlier ? &*earlier : nullptr;
+    span.keep_course = similar.keep_course;
+    span.like = similar.like;
+    if (similar.start) {
+        span.begin = SpanStart::state;
+        span.from = similar.start;
+    }
     span.day.progress = [&](double share) { progress.done(share); };
     span.day.tell = [&](const std::string& doing) { progress.doing(doing); };
     std::vector<std::unique_ptr<StageHeat>> heat;

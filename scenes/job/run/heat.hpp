@@ -40,8 +40,16 @@ struct SolvedScene : SpanResult {
 ///
 /// - decision: that of the plan for a run with pictures (Plan::decisions); by default every facet
 ///   is solved, without check points
-SolvedScene solve_scene(const Stages& stages, Progress& progress,
-                        const HeatDecision& decision = {});
+/// - similar: solves of one scene with other numbers
+struct SimilarSolves {
+    bool keep_course = false;          // for those that follow: SpanResult::course
+    const SpanCourse* like = nullptr;  // of an earlier one, a first guess
+    /// The span starts from this state, of an earlier solve with the same columns; null: as the
+    /// scene says.
+    const HeatState* start = nullptr;
+};
+SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision = {},
+                        const SimilarSolves& similar = {});
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and also the state at the end, if the scene

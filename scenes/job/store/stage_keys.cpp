@@ -5,42 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <type_traits>
 
 #include "materials/matter/passed_light.hpp"
-#include "scenes/job/store/digest.hpp"
+#include "scenes/job/store/heat_content.hpp"
+#include "scenes/job/store/key_facts.hpp"
 #include "scenes/job/world/stepping.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Values one after the other as bytes, arrays after their sizes.
-class KeyFacts {
- public:
-    explicit KeyFacts(const char* of)
-        : text_(fmt::format("{} {} {}\n", of, DIURNA_VERSION, program())) {}
-    template <class T>
-    void number(T value) {
-        static_assert(std::is_arithmetic_v<T>);
-        text_.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-    template <class T>
-    void array(std::span<const T> values) {
-        number(values.size());
-        text_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-    }
-    void line(const std::string& text) {
-        number(text.size());
-        text_ += text;
-    }
-    std::string digest() const { return sha256(text_); }
-
- private:
-    static std::string program() { return job_key({}, {}); }
-
-    std::string text_;
-};
+/// The version and the sources of the program come first.
+KeyFacts stage_facts(const char* of) {
+    return KeyFacts(fmt::format("{} {} {}\n", of, DIURNA_VERSION, job_key({}, {})));
+}
 
 /// (facet) what goes through it, as a number in the order of first use, so that paints that let
 /// nothing pass are one; and these, as they are.
@@ -143,13 +121,13 @@ void add_visibility(const Prepared& prepared, KeyFacts& facts) {
 }  // namespace
 
 std::string visibility_key(const Prepared& prepared) {
-    KeyFacts facts("visibility");
+    KeyFacts facts = stage_facts("visibility");
     add_visibility(prepared, facts);
     return facts.digest();
 }
 
 std::string sky_key(const Prepared& prepared, bool sunlight) {
-    KeyFacts facts("sky");
+    KeyFacts facts = stage_facts("sky");
     facts.line(visibility_key(prepared));
     facts.number(sunlight);
     return facts.digest();
@@ -157,7 +135,7 @@ std::string sky_key(const Prepared& prepared, bool sunlight) {
 
 std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instants,
                     std::span<const std::uint8_t> asked) {
-    KeyFacts facts("sun");
+    KeyFacts facts = stage_facts("sun");
     facts.line(visibility_key(prepared));
     const Site& site = prepared.world.site;
     for (const double of : {site.latitude_deg, site.longitude_deg, site.height}) facts.number(of);
@@ -177,16 +155,18 @@ std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instan
 std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
                      double tolerance) {
     const Scene& scene = prepared.scene;
-    KeyFacts facts("heat");
-    facts.line(visibility_key(prepared));
+    KeyFacts facts = stage_facts("heat");
+    facts.line(heat_content(prepared));
     const bool moves = !prepared.movement.none(), pictures_count = tolerance > 0.0 || moves;
-    std::vector<RunInput> others;
-    for (const RunInput& input : inputs) {
-        const bool is_scene = input.path.lexically_normal() == scene.file.lexically_normal();
-        if (!is_scene) others.push_back(input);
+    if (pictures_count) {
+        std::vector<RunInput> others;
+        for (const RunInput& input : inputs) {
+            const bool is_scene = input.path.lexically_normal() == scene.file.lexically_normal();
+            if (!is_scene) others.push_back(input);
+        }
+        facts.line(job_key(others, {}));
+        facts.line(moves ? scene.said : scene.said_but_for_pictures);
     }
-    facts.line(job_key(others, {}));
-    facts.line(moves ? scene.said : scene.said_but_for_pictures);
     if (tolerance > 0.0) add_views(prepared, facts);
     facts.number(tolerance);
     facts.number(scene.check_points);

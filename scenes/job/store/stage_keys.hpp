@@ -28,9 +28,9 @@ std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instan
                     std::span<const std::uint8_t> asked);
 
 /// Key of the temperatures of a scene that is unchanged since it was read, for any stored instants:
-/// from the content of its file except tables used only by pictures, the content of all other
-/// inputs, and positions of objects. If pictures determine what is solved (tolerance_K), their
-/// poses and instants are included; if objects move, all tables of pictures.
+/// from the content of what the heat balance takes (scenes/job/store/heat_content.hpp). If pictures
+/// determine what is solved (tolerance_K), the scene file except tables used only by pictures, all
+/// other inputs, and the pictures' poses and instants are included; if objects move, the whole file.
 ///
 /// - inputs: of the run
 /// - tolerance: [K] of the solution (scenes/job/run/heat.hpp)

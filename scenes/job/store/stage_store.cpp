@@ -38,6 +38,11 @@ StageStore::StageStore(fs::path folder) : StageStore(std::move(folder), Limits{}
 StageStore::StageStore(fs::path folder, Limits limits)
     : folder_(std::move(folder)), limits_(limits) {}
 
+std::shared_ptr<const StageStore> StageStore::in_memory() {
+    return std::make_shared<const StageStore>(
+        fs::path(), Limits{.least_seconds = 0.0, .most_bytes = 2'000'000'000});
+}
+
 std::shared_ptr<const StageStore> StageStore::of_user() {
     const std::string said = text_of("DIURNA_STAGES");
     if (said == "off") return nullptr;
@@ -53,6 +58,11 @@ fs::path StageStore::file(std::string_view stage, const std::string& key) const 
 }
 
 std::optional<std::string> StageStore::find(std::string_view stage, const std::string& key) const {
+    if (folder_.empty()) {
+        const std::lock_guard lock(telling_);
+        const auto held = held_.find(fmt::format("{}-{}", stage, key));
+        return held == held_.end() ? std::nullopt : std::optional(held->second);
+    }
     const fs::path path = file(stage, key);
     std::error_code ignored;
     if (!fs::is_regular_file(fs::symlink_status(path, ignored))) return std::nullopt;
@@ -77,6 +87,14 @@ void StageStore::note_taken(std::string_view stage, const std::string& key) cons
 void StageStore::keep(std::string_view stage, const std::string& key,
                       std::string_view content) const {
     if (content.size() > limits_.most_bytes / 4) return;
+    if (folder_.empty()) {
+        const std::lock_guard lock(telling_);
+        std::uintmax_t sum = content.size();
+        for (const auto& [name, bytes] : held_) sum += bytes.size();
+        if (sum > limits_.most_bytes) return;
+        held_.insert_or_assign(fmt::format("{}-{}", stage, key), std::string(content));
+        return;
+    }
     try {
         if (fs::create_directories(folder_)) {
             fs::permissions(folder_, fs::perms::owner_all);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -23,6 +24,8 @@ class StageStore {
         std::uintmax_t most_bytes = 8'000'000'000;
     };
     explicit StageStore(std::filesystem::path folder);
+    /// For one process: scenes of a study share stages by content, and nothing is written.
+    static std::shared_ptr<const StageStore> in_memory();
     StageStore(std::filesystem::path folder, Limits limits);
 
     /// The user's cache: DIURNA_STAGES, if set ("off": none), else "diurna" in XDG_CACHE_HOME or
@@ -48,8 +51,9 @@ class StageStore {
     std::filesystem::path file(std::string_view stage, const std::string& key) const;
     void make_room() const;
 
-    std::filesystem::path folder_;
+    std::filesystem::path folder_;  // empty: in memory
     Limits limits_;
+    mutable std::map<std::string, std::string> held_;  // in memory, by stage and key
     mutable std::mutex telling_;
     mutable std::vector<std::string> taken_, own_;  // stages; names of files stored by this run
 };

@@ -13,7 +13,7 @@ inline constexpr double periodic_tolerance = 1e-6;  // [K]
 struct SpunUp {
     int passes = 0;                  // over the span
     double residual = 0.0;           // [K] |P(T) − T| of the last one, worst node
-    double error = 0.0;              // [K] Newton's last move, worst node: distance from the period
+    double error = 0.0;              // [K] the larger of this and Newton's last move, worst node
     double standing_residual = 0.0;  // [mm] of water and frost: change over the last pass
     bool store_held = false;         // these change from day to day; their start is fixed
     bool converged = false;

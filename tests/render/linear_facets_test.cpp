@@ -154,7 +154,7 @@ TEST_CASE("a temperature linear in place has its slope in each facet", "[render]
     }
 }
 
-TEST_CASE("within a facet the mean stays but for chance, and no place is beyond its neighbours",
+TEST_CASE("within a facet the mean stays except for chance, and no place is beyond its neighbours",
           "[render][linear_facets]") {
     const Field field(4.0, 1.0);
     std::mt19937 random(GENERATE(1, 2, 3));

@@ -134,6 +134,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/app/commands/pages_command.cpp",
       "scenes/app/commands/path_command.cpp",
       "scenes/app/commands/raster_commands.cpp",
+      "scenes/app/commands/reshade_command.cpp",
       "scenes/app/commands/scene_arguments.cpp",
       "scenes/app/commands/run_command.cpp",
       "scenes/app/commands/solve_command.cpp",

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "scenes/job/run/heat.hpp"
+#include "scenes/job/store/heat_key.hpp"
 #include "scenes/job/store/stage_bytes.hpp"
-#include "scenes/job/store/stage_keys.hpp"
 #include "scenes/job/world/stepping.hpp"
 
 namespace diurna {

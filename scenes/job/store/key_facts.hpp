@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <span>
 #include <string>
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "scenes/job/store/digest.hpp"
+#include "scenes/job/store/inputs.hpp"
 
 namespace diurna {
 
@@ -39,5 +42,10 @@ class KeyFacts {
  private:
     std::string text_;
 };
+
+/// Facts of a stage's key: the version and the sources of the program come first.
+inline KeyFacts stage_facts(const char* of) {
+    return KeyFacts(fmt::format("{} {} {}\n", of, DIURNA_VERSION, job_key({}, {})));
+}
 
 }  // namespace diurna

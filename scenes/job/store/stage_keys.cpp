@@ -7,18 +7,11 @@
 #include <map>
 
 #include "materials/matter/passed_light.hpp"
-#include "scenes/job/store/heat_content.hpp"
 #include "scenes/job/store/key_facts.hpp"
-#include "scenes/job/world/stepping.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// The version and the sources of the program come first.
-KeyFacts stage_facts(const char* of) {
-    return KeyFacts(fmt::format("{} {} {}\n", of, DIURNA_VERSION, job_key({}, {})));
-}
 
 /// (facet) what goes through it, as a number in the order of first use, so that paints that let
 /// nothing pass are one; and these, as they are.
@@ -67,28 +60,6 @@ void add_relief(const HeightField& relief, KeyFacts& facts) {
             const Eigen::Vector2d at = relief.place({x * (columns - 1), y * (rows - 1)});
             facts.number(at.x());
             facts.number(at.y());
-        }
-    }
-}
-
-/// What the pictures show: poses and rays, not bands.
-void add_views(const Prepared& prepared, KeyFacts& facts) {
-    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
-        const Sequence& sequence = prepared.sequences[o];
-        facts.number(prepared.scene.observers[o].samples);
-        for (const Instant when : sequence.frame) facts.number(seconds_between(Instant{}, when));
-        for (const Observer& eye : sequence.pose) {
-            for (const Eigen::Vector3d& of : {eye.position, eye.velocity, eye.turning}) {
-                facts.array<double>({of.data(), 3});
-            }
-            for (const double of :
-                 {eye.azimuth_deg, eye.elevation_deg, eye.roll_deg, eye.horizontal_fov_deg,
-                  eye.picture_width, eye.row_time, eye.exposure}) {
-                facts.number(of);
-            }
-            facts.number(eye.width);
-            facts.number(eye.height);
-            facts.number(static_cast<int>(eye.projection));
         }
     }
 }
@@ -149,32 +120,6 @@ std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instan
         facts.number(weather.sample[i].air.temperature);
     }
     facts.array<std::uint8_t>(asked);
-    return facts.digest();
-}
-
-std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
-                     double tolerance) {
-    const Scene& scene = prepared.scene;
-    KeyFacts facts = stage_facts("heat");
-    facts.line(heat_content(prepared));
-    const bool moves = !prepared.movement.none(), pictures_count = tolerance > 0.0 || moves;
-    if (pictures_count) {
-        std::vector<RunInput> others;
-        for (const RunInput& input : inputs) {
-            const bool is_scene = input.path.lexically_normal() == scene.file.lexically_normal();
-            if (!is_scene) others.push_back(input);
-        }
-        facts.line(job_key(others, {}));
-        facts.line(moves ? scene.said : scene.said_but_for_pictures);
-    }
-    if (tolerance > 0.0) add_views(prepared, facts);
-    facts.number(tolerance);
-    facts.number(scene.check_points);
-    const SpanOptions span = scene_span(scene);
-    facts.number(seconds_between(Instant{}, span.wanted.front()));
-    if (pictures_count) {
-        for (const Instant when : span.wanted) facts.number(seconds_between(Instant{}, when));
-    }
     return facts.digest();
 }
 

@@ -27,14 +27,4 @@ std::string sky_key(const Prepared& prepared, bool sunlight);
 std::string sun_key(const Prepared& prepared, const std::vector<Instant>& instants,
                     std::span<const std::uint8_t> asked);
 
-/// Key of the temperatures of a scene that is unchanged since it was read, for any stored instants:
-/// from the content of what the heat balance takes (scenes/job/store/heat_content.hpp). If pictures
-/// determine what is solved (tolerance_K), the scene file except tables used only by pictures, all
-/// other inputs, and the pictures' poses and instants are included; if objects move, the whole file.
-///
-/// - inputs: of the run
-/// - tolerance: [K] of the solution (scenes/job/run/heat.hpp)
-std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
-                     double tolerance);
-
 }  // namespace diurna

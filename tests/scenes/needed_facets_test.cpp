@@ -1,4 +1,5 @@
 #include "scenes/job/run/needed_facets.hpp"
+#include "scenes/job/world/stepping.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -99,6 +100,23 @@ TEST_CASE("a scene whose state is stored is solved whole", "[scenes][needed]") {
         });
     };
     CHECK(reported(result, "the state of all facets is saved"));
+}
+
+TEST_CASE("an exact scene solves all facets, dew and copies, whatever its tolerances",
+          "[scenes][needed]") {
+    const ScratchFolder folder("needed_exact");
+    write_text(folder.path / "scene.toml",
+               "exact = true\ntolerance_K = 0.5\n" +
+                   with(with(small_scene(), "tolerance_m = 10.0", "tolerance_m = 3.0"),
+                        "sky_rays = 32", "sky_rays = 32\ncheck_points = 0"));
+    const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
+    CHECK(prepared.scene.tolerance == 0.0);
+    CHECK(scene_span(prepared.scene).day.least_dew == 0.0);
+    const HeatDecision& heat = prepared.plan.decisions.heat;
+    CHECK(heat.every_facet == "exact is true");
+    Progress silent(ProgressStyle::silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent, heat);
+    CHECK(result.report.facets == prepared.world.surfaces().size());
 }
 
 // A box with a room, over ground that no picture shows: the shade below it warms its bottom, its

@@ -243,8 +243,8 @@ TEST_CASE("a page has all sections, studies left in its folder too", "[scenes][r
                     "of 24</td>") != std::string::npos);
     CHECK(text.find("contrast/broken.json is not shown: ") != std::string::npos);
     CHECK(text.find("<h3>oddity odd</h3>") != std::string::npos);
-    CHECK(text.find("<b>Not of this run</b>: computed from other.toml with time.spin_up=steady") !=
-          std::string::npos);
+    CHECK(text.find("<b>Another scene or other settings</b>: computed from other.toml with "
+                    "time.spin_up=steady") != std::string::npos);
     CHECK(text.find("<script>window") == std::string::npos);
     // What a run was made of, with what it held.
     const std::string scene = read_text(page().parent_path().parent_path() / "scene.toml");

@@ -37,7 +37,7 @@ struct ReshadedFrame {
     std::size_t unlisted = 0;  // of the object's pixels with surfaces that are not listed
     std::size_t mirrors = 0;   // of them with a mirror's light, which is left as it is
     /// [K] mean over the object of its change in balance with the radiation absorbed and emitted
-    /// anew, by a film of 10 W/m2K and radiation: an estimate of the effect on heat.
+    /// after it, by a film of 10 W/m2K and radiation: an estimate of the effect on heat.
     double heat_estimate = 0.0;
 };
 

@@ -156,7 +156,8 @@ std::string made_from_another(const OrderedJson& study, const std::string& heat_
         settings += (settings.empty() ? " with " : ", ") + escaped(one.get<std::string>());
     }
     return fmt::format(
-        "<p><b>Not of this run</b>: computed from {}{}, whose heat balance has other inputs.</p>\n",
+        "<p><b>Another scene or other settings</b>: computed from {}{}; its heat balance differs "
+        "from this run's.</p>\n",
         escaped(from.value("scene", "an unknown scene")), settings);
 }
 

@@ -99,6 +99,7 @@ py::dict run_scene(const std::filesystem::path& file, const Settings& settings, 
                         .pictures = {.only = only},
                         .resume = resume,
                         .max_memory = max_memory,
+                        .scene_with = reads_scene(file, settings, allow_outside),
                         .progress = to});
     });
     py::dict out, stages;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "thermal/field_difference.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -45,11 +46,5 @@ class CombinedHeat {
     std::vector<Changed> number_;
     std::vector<std::array<double, 3>> change_;  // (number)(place) [K] rms
 };
-
-/// [K] Over all facets and instants of two fields with the same ones.
-struct FieldDifference {
-    double rms = 0.0, worst = 0.0;
-};
-FieldDifference difference_of(const TemperatureField& a, const TemperatureField& b);
 
 }  // namespace diurna

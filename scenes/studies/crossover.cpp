@@ -157,7 +157,7 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
                                              : "moving objects"));
         }
         for (const UncertainInput& one : input.uncertain) {
-            check_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);
+            scene_with_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);
         }
     }
     for (const CrossoverGroup& group : groups(scene.crossovers)) {

@@ -27,20 +27,6 @@ const HeatState* start_of(const SpanCourse& course, const Prepared& prepared) {
 
 }  // namespace
 
-std::string setting(const std::string& key, double value) {
-    return fmt::format("{}={}", key, value);
-}
-
-void check_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
-                    const std::string& where) {
-    try {
-        scene_with(settings);
-    } catch (const InputError& error) {
-        const Mistake& found = error.mistakes().front();
-        throw InputError(where, fmt::format("{}: {}", found.where, found.problem), found.hint);
-    }
-}
-
 OtherScene::OtherScene(Scene scene, Study& study, GivenTemperatures given)
     : prepared(prepare(every_step(std::move(scene)))),
       stages(prepared, study.store()),

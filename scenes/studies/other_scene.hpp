@@ -1,25 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
+#include "scenes/job/input/scene_with.hpp"
 #include "scenes/studies/signature_scene.hpp"
 
 namespace diurna {
-
-/// Reads the scene with additional settings "key=value".
-using SceneWith = std::function<Scene(const std::vector<std::string>&)>;
-
-std::string setting(const std::string& key, double value);
-
-/// Throws InputError if the scene cannot be read with those.
-///
-/// - where: position of the request in the scene file
-void check_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
-                    const std::string& where);
 
 /// Temperatures that need not be solved.
 struct GivenTemperatures {

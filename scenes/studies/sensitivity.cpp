@@ -205,11 +205,11 @@ void check_sensitivity(const Study& study, const SensitivityInput& input,
         check_output(study.stages().scene(), output);
     }
     for (const RangedInput& one : input.uncertain) {
-        check_settings(scene_with, {setting(one.key, one.low)}, one.where);
-        check_settings(scene_with, {setting(one.key, one.high)}, one.where);
+        scene_with_settings(scene_with, {setting(one.key, one.low)}, one.where);
+        scene_with_settings(scene_with, {setting(one.key, one.high)}, one.where);
     }
     for (const std::vector<double>& point : design_of(input, study.scene()).point) {
-        check_settings(scene_with, settings_at(input, point), input.where);
+        scene_with_settings(scene_with, settings_at(input, point), input.where);
     }
 }
 

@@ -4,18 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scenes/job/input/scene_file.hpp"
 #include "scenes/job/store/digest.hpp"
 
 namespace diurna {
 
-Scene StudyRequest::read_with(const std::vector<std::string>& more) const {
-    return read_scene(scene, joined(settings, more), allow_outside);
-}
-
-SceneWith StudyRequest::scene_with() const {
-    return [this](const std::vector<std::string>& more) { return read_with(more); };
-}
+SceneWith StudyRequest::scene_with() const { return reads_scene(scene, settings, allow_outside); }
 
 void check_asked(const StudyRequest& request, const Scene& scene, const char* kind,
                  const std::vector<std::string>& names, const char* more) {

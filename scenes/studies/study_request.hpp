@@ -22,9 +22,7 @@ struct StudyRequest {
     ProgressTo progress{};
 
     /// Throws InputError.
-    Scene read() const { return read_with({}); }
-    Scene read_with(const std::vector<std::string>& more) const;
-    /// For this request, which must outlive it.
+    Scene read() const { return scene_with()({}); }
     SceneWith scene_with() const;
 };
 

@@ -102,6 +102,7 @@ void set_job(const SceneArguments& a, JobOptions& job) {
     job.progress = a.style();
     job.stages = a.stages();
     job.max_memory = a.memory();
+    job.scene_with = reads_scene(a.scene, a.settings, a.allow_outside);
 }
 
 void run_verb(const SceneArguments& a, RunArguments run) {
@@ -136,6 +137,7 @@ void run_verb(const SceneArguments& a, RunArguments run) {
             return;
         }
         scene = only_variant(sweep, variant, job);
+        job.scene_with = nullptr;
     }
     run_one(std::move(scene), job);
 }

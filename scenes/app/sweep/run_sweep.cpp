@@ -230,6 +230,11 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
     progress.stage(StageId::named, fmt::format("heat {}: terrain", group.variants.front().heat));
     const Prepared first = prepare_variant(group.sweep, *pending.front(), group.options.max_memory);
     for (const std::string& note : first.notes) tell_once(report.notes, note);
+    if (!group.sweep.base.uncertain.empty()) {
+        tell_once(report.notes,
+                  "uncertain values: variants of a sweep get no planes sigma.BAND; diurna run "
+                  "--only base makes them for the scene itself");
+    }
     progress.stage(StageId::sky_view);
     const Stages stages(first);
     stages.at(0);

@@ -7,7 +7,6 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/job/input/read_signature.hpp"
-#include "scenes/job/input/read_uncertain.hpp"
 
 namespace diurna {
 
@@ -104,21 +103,6 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
     }
 }
 
-std::vector<UncertainInput> read_uncertain(const Section& section) {
-    std::vector<UncertainInput> found;
-    for (const Section& one : section.sections(
-             "uncertain", "an uncertain value of the scene that shifts the crossover times")) {
-        found.push_back(
-            {.key = read_uncertain_key(one),
-             .one_sigma = one.number("one_sigma",
-                                     "the key's value one standard deviation (68 %) away from the "
-                                     "scene's, not the deviation: 1.1 for a factor of 1 that is "
-                                     "uncertain by 10 %"),
-             .where = one.where()});
-    }
-    return found;
-}
-
 }  // namespace
 
 std::vector<CrossoverInput> read_crossovers(const Section& root, const TerrainInput& terrain,
@@ -154,7 +138,8 @@ std::vector<CrossoverInput> read_crossovers(const Section& root, const TerrainIn
                                         "solve again with half the step and twice the samples, to "
                                         "measure how far crossovers move",
                                         input.refined);
-        input.uncertain = read_uncertain(section);
+        input.uncertain = read_uncertain_values(
+            section, "an uncertain value of the scene that shifts the crossover times");
         found.push_back(std::move(input));
     }
     return found;

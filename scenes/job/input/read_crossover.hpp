@@ -9,15 +9,9 @@
 #include "scenes/job/input/read_observer.hpp"
 #include "scenes/job/input/read_region.hpp"
 #include "scenes/job/input/read_terrain.hpp"
+#include "scenes/job/input/read_uncertain.hpp"
 
 namespace diurna {
-
-/// A number of limited accuracy.
-struct UncertainInput {
-    std::string key;         // its path in the scene file
-    double one_sigma = 0.0;  // its value one standard deviation from that in the scene
-    std::string where;       // in the scene file
-};
 
 /// [[crossover]]: when two things have the same apparent temperature for an observer.
 struct CrossoverInput {

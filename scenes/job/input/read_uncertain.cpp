@@ -6,14 +6,28 @@ namespace diurna {
 
 std::string read_uncertain_key(const Section& section) {
     const std::string key = section.text("key", "path of the key: \"weather.changed.wind_factor\"");
-    for (const char* own :
-         {"crossover", "sweep", "detection", "signature", "observer", "contrast", "sensitivity"}) {
+    for (const char* own : {"crossover", "sweep", "detection", "signature", "observer", "contrast",
+                            "sensitivity", "uncertain"}) {
         if (!key.starts_with(std::string(own) + ".")) continue;
         section.mistake(
             "key", fmt::format(
                        "found a key of [{}], expected one that affects light or temperature", own));
     }
     return key;
+}
+
+std::vector<UncertainInput> read_uncertain_values(const Section& section, const char* says) {
+    std::vector<UncertainInput> found;
+    for (const Section& one : section.sections("uncertain", says)) {
+        found.push_back(
+            {.key = read_uncertain_key(one),
+             .one_sigma = one.number("one_sigma",
+                                     "the key's value one standard deviation (68 %) away from the "
+                                     "scene's, not the deviation: 1.1 for a factor of 1 that is "
+                                     "uncertain by 10 %"),
+             .where = one.where()});
+    }
+    return found;
 }
 
 std::string plain_name(std::string name) {

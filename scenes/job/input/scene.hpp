@@ -74,6 +74,7 @@ struct Scene {
     std::vector<CrossoverInput> crossovers;
     std::vector<ContrastInput> contrasts;
     std::vector<SensitivityInput> sensitivities;
+    std::vector<UncertainInput> uncertain;  // for planes sigma.BAND
     SweepInput sweep;
     double tolerance = 0.0;        // [K] rms of pictures, for facets not visible; 0: all solved
     bool tolerance_given = false;  // it is in the file

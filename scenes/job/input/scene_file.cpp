@@ -153,21 +153,11 @@ std::string picture_name(const ObserverInput& observer) {
 }
 
 /// How and when the scene is looked at, and studies of what is seen.
-constexpr const char* of_pictures[] = {"observer",
-                                       "instrument",
-                                       "bands",
-                                       "cubes",
-                                       "labels",
-                                       "output.compression",
-                                       "signature",
-                                       "detection",
-                                       "crossover",
-                                       "contrast",
-                                       "sensitivity",
-                                       "scene.title",
-                                       "time.frames",
-                                       "time.frame_every_s",
-                                       "time.frames_at_sun"};
+constexpr const char* of_pictures[] = {
+    "observer",           "instrument", "bands",       "cubes",       "labels",
+    "output.compression", "signature",  "detection",   "crossover",   "contrast",
+    "sensitivity",        "uncertain",  "scene.title", "time.frames", "time.frame_every_s",
+    "time.frames_at_sun"};
 
 }  // namespace
 
@@ -260,6 +250,8 @@ void read_studies(const Section& root, Scene& scene) {
         read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
     scene.sensitivities = read_sensitivities(root, scene.terrain, scene.materials.names(),
                                              scene.bands, scene.observers, scene.time);
+    scene.uncertain = read_uncertain_values(
+        root, "an uncertain value of the scene; pictures get planes sigma.BAND");
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` computes instead of it"));
 }

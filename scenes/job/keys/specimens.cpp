@@ -203,6 +203,9 @@ uncertain = [{ key = "weather.changed.wind_factor", low = 0.9, high = 1.1 }]
 figure = "contrast"
 [[sensitivity.output]]
 figure = "crossover"
+[[uncertain]]
+key = "weather.changed.wind_factor"
+one_sigma = 1.1
 [sweep]
 draw = 1
 [[sweep.axis]]

@@ -98,6 +98,7 @@ Decisions decisions_of(const Scene& scene, const World& world, const Weather& we
         sequences.begin(), sequences.end(), [](const Sequence& one) { return !one.goes; }));
     decisions.terms = std::any_of(scene.observers.begin(), scene.observers.end(),
                                   [](const ObserverInput& observer) { return observer.terms; });
+    decisions.uncertain = scene.uncertain.size();
     return decisions;
 }
 

@@ -37,6 +37,7 @@ struct Decisions {
     PictureLight light{};
     std::size_t views_cast_once = 0;  // observers whose view is cast once for all frames of a stage
     bool terms = false;               // planes of the radiance's terms
+    std::size_t uncertain = 0;        // values: planes sigma.BAND
 };
 
 /// - sequences: of the observers, in the order of the scene; may be empty

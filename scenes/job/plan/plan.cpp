@@ -231,6 +231,18 @@ PictureWork picture_work(const Scene& scene, const World& world,
     return work;
 }
 
+/// Heat once more for each uncertain value and for all together, each from the temperatures of the
+/// scene itself in about half the time; views and pictures once more for each.
+void count_uncertain(std::size_t values, Plan& plan) {
+    if (values == 0) return;
+    const double solves = double(values) + (values > 1 ? 1.0 : 0.0);
+    for (PlannedStage& stage : plan.stages) {
+        if (stage.stage == StageId::heat_balance) stage.seconds *= 1.0 + 0.5 * solves;
+        const bool again = stage.stage == StageId::views || stage.stage == StageId::frames;
+        if (again || stage.stage == StageId::terrain) stage.seconds *= 1.0 + double(values);
+    }
+}
+
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather,
               std::span<const Sequence> sequences, Plan& plan) {
@@ -285,15 +297,17 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     if (!scene.instruments.empty()) {
         plan.stages.insert(plan.stages.end() - 1, {StageId::instruments, instruments / threads});
     }
+    count_uncertain(scene.uncertain.size(), plan);
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views, of
     // one observer at a time.
+    const double scenes = 1.0 + double(scene.uncertain.size());
     plan.memory +=
         costs.program + costs.freezing_facet * points.freezing +
         networks * (costs.network_facet + costs.network_facet_step * std::min(steps, day_steps)) +
-        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values +
-        work.largest_view;
+        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values * scenes +
+        work.largest_view * scenes;
 }
 
 }  // namespace

@@ -112,6 +112,15 @@ std::vector<PlanRow> plan_rows(const Plan& plan) {
                                       cast_once, number_of(plan.observers, "observer")),
              .error = 0.0,
              .error_unit = "W m-2 sr-1"});
+        const std::size_t uncertain = decisions.uncertain;
+        rows.push_back({.what = "standard deviation as planes",
+                        .computed = uncertain > 0,
+                        .why = uncertain == 0
+                                   ? "no [[uncertain]] values"
+                                   : fmt::format("heat and pictures once more for each of {}",
+                                                 number_of(uncertain, "uncertain value")),
+                        .error = 0.0,
+                        .error_unit = "K"});
         rows.push_back({.what = "terms of the radiance as planes",
                         .computed = decisions.terms,
                         .why = decisions.terms ? "requested by observer.terms"

@@ -10,8 +10,8 @@
 #include "materials/matter/passed_light.hpp"
 #include "render/view/pixel_rays.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
+#include "terrain/ground/smooth_normals.hpp"
 #include "terrain/place/sun.hpp"
-#include "terrain/relief/smooth_normal.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/two_sides.hpp"
@@ -25,8 +25,6 @@ namespace {
 constexpr int draws_per_point = 8;     // at most, for one that shows a facet
 constexpr double patch_m = 0.05;       // [m] across
 constexpr double most_of_facet = 0.1;  // of a facet's edges
-// Cosine between the normals of relief and facet; below: a slope built on the relief, or a cliff.
-constexpr float least_likeness = 0.9f;
 // [m] above the facet, and per metre of its place, whose last digit is half of that.
 constexpr float lift = 1e-3f, lift_of_place = 2.5e-7f;
 
@@ -64,16 +62,20 @@ float patch_scale(const FacetSet& surfaces, std::uint32_t facet) {
     return static_cast<float>(std::min(most_of_facet, patch_m / across));
 }
 
-/// Of the surface in a point: the relief's where its facet lies on it; else the facet's.
-Eigen::Vector3f surface_normal(const World& world, const CheckPoint& point) {
-    const std::size_t solid = world.texture_levels.solid_of(point.surface);
-    const Eigen::Vector3f flat = world.facets.normal[solid];
-    const bool on_relief = world.relief && solid < world.ground_facets &&
-                           (world.on_detail.empty() || world.on_detail[solid] == 0);
-    if (!on_relief) return flat;
-    const Eigen::Vector3f normal =
-        smooth_normal(*world.relief, point.place.head<2>().cast<double>());
-    return normal.dot(flat) > least_likeness ? normal : flat;
+/// Points on ground get the normal of the smooth surface that the mesh describes.
+void set_smooth_normals(const World& world, const std::vector<CheckPoint>& points,
+                        FacetSet& patches) {
+    std::vector<PlaceOnFacet> places;
+    std::vector<std::size_t> of;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::size_t solid = world.texture_levels.solid_of(points[k].surface);
+        if (solid >= world.ground_facets) continue;
+        places.push_back({static_cast<std::uint32_t>(solid), points[k].place});
+        of.push_back(k);
+    }
+    const std::vector<Eigen::Vector3f> normals =
+        smooth_normals(world.facets, world.ground_facets, places);
+    for (std::size_t k = 0; k < of.size(); ++k) patches.normal[of[k]] = normals[k];
 }
 
 /// A likeness of a facet about a place on it, a little above it.
@@ -173,10 +175,10 @@ CheckPoints check_points(const Stages& stages, std::span<const NetworkObject> ne
         for (const CheckPoint& point : points.point) {
             const float scale = whole ? 1.0f : patch_scale(surfaces, point.surface);
             add_patch(surfaces, point, scale, points.beside.facets);
-            if (!whole) points.beside.facets.normal.back() = surface_normal(world, point);
             points.beside.like.push_back(point.surface);
         }
     }
+    set_smooth_normals(world, points.point, points.beside.facets);
     points.beside.views = seen_from(points.beside.facets, prepared, false);
     if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
         points.beside.sunlight_views = seen_from(points.beside.facets, prepared, true);

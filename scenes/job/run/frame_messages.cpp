@@ -41,6 +41,17 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
     return lines;
 }
 
+std::vector<std::string> changes_reported(std::span<const Messages> reported) {
+    std::vector<std::string> lines;
+    for (const Messages& of_frame : reported) {
+        for (const auto& [key, note] : of_frame) {
+            if (key == "uncertain") lines.push_back(note);
+        }
+        if (!lines.empty()) break;
+    }
+    return lines;
+}
+
 std::vector<std::string> beyond_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported) {
     std::vector<std::string> lines;

@@ -17,6 +17,8 @@ namespace diurna {
 /// of surfaces with snow or water in the frame with the most of them.
 std::vector<std::string> errors_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported);
+/// What uncertain values change, of the first frame with planes sigma.BAND.
+std::vector<std::string> changes_reported(std::span<const Messages> reported);
 /// For every band the number of pixels outside its grey picture's scale ("beyond.BAND").
 std::vector<std::string> beyond_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported);

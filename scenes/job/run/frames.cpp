@@ -13,6 +13,7 @@
 #include "materials/base/parallel.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
+#include "render/picture/frame.hpp"
 #include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/job/plan/frame_files.hpp"
@@ -20,6 +21,7 @@
 #include "scenes/job/run/instrument_pictures.hpp"
 #include "scenes/job/run/picture.hpp"
 #include "scenes/job/run/series.hpp"
+#include "scenes/job/run/sigma_planes.hpp"
 
 namespace diurna {
 
@@ -67,16 +69,27 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
 
 using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
 
+/// The series of an observer, of what it is rendered, and where the pictures go.
+struct Rendering {
+    const Prepared& prepared;
+    const Series& series;
+    const FacetViews& views;
+    const ShownHeat& heat;
+    std::span<const InstrumentSeries> instruments;
+    const std::vector<ChangedSeries>& changed;
+    const fs::path& out;
+};
+
 /// Renders and writes the bands and cubes of one instant, enters them with the tables' notes of
 /// their error, and leaves what instruments see of it.
 ///
 /// - blurred: objects go on while the picture is taken
-void render_instant(const Prepared& prepared, const Series& s, const FacetViews& views,
-                    const TemperatureField& field, Instant instant,
-                    std::span<const InstrumentSeries> instruments, const fs::path& out,
-                    Ledger& ledger, bool blurred = false) {
-    const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
+void render_instant(const Rendering& of, Instant instant, Ledger& ledger, bool blurred = false) {
+    const auto& [prepared, s, views, heat, instruments, changed, out] = of;
+    Picture picture = picture_at(prepared, s, views, heat.field, instant, blurred);
+    add_sigma_planes(changed, s.bands, instant, blurred, picture.frame);
     Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
+    for (const std::string& change : heat.changes) reported.emplace_back("uncertain", change);
     for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
         reported.push_back(std::move(beyond));
     }
@@ -88,7 +101,7 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
         picture_files(s.input, instant, prepared.scene.labels.format);
     if (!files.empty()) ledger.add(files, std::move(reported));
     for (const InstrumentSeries& one : instruments) {
-        const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
+        const Frame frame = seen_flux(one, prepared, views, heat.field, instant, blurred, picture);
         const fs::path file =
             out / (instrument_base(s.input.name, one.view.band.name, instant) + ".exr");
         fs::create_directories(file.parent_path());
@@ -101,30 +114,64 @@ bool blurs(const Movement& movement, const Observer& observer, Instant when) {
     return !movement.none() && observer.takes_time() && movement.moves_at(when);
 }
 
+/// A scene at an instant, with objects on their way if any are.
+StandingScene standing(const Stages& stages, const Observer& eye, Instant instant) {
+    const Prepared& scene = stages.scene();
+    const Movement& movement = scene.movement;
+    StandingScene here{.stage = stages.at(movement.stage_of(instant))};
+    if (blurs(movement, eye, instant)) {
+        here.on_the_way.emplace(
+            moving(scene, movement.poses_at(instant), movement.motions_at(instant), eye.reach()));
+    } else if (!movement.none() && movement.is_under_way(instant)) {
+        here.on_the_way.emplace(moved(scene, movement.poses_at(instant)));
+    }
+    return here;
+}
+
+/// An observer's bands in every scene with an uncertain value changed.
+class ChangedViews {
+ public:
+    ChangedViews(const ShownHeat& heat, const ObserverInput& input, const Observer& eye,
+                 std::span<const Instant> frames)
+        : input_(input) {
+        if (!heat.changed) return;
+        input_.cubes.clear();
+        input_.terms = false;
+        input_.surfaces = 0;
+        for (const auto& scene : *heat.changed) {
+            scene_.push_back(std::make_unique<const StandingScene>(
+                standing(scene->stages, eye, frames.front())));
+            const StandingScene& here = *scene_.back();
+            series_.push_back({here, scene->field,
+                               cast_series(here.prepared(), input_, eye, frames, here.stage.views,
+                                           scene->field)});
+        }
+    }
+    const std::vector<ChangedSeries>& series() const { return series_; }
+
+ private:
+    ObserverInput input_;
+    std::vector<std::unique_ptr<const StandingScene>> scene_;
+    std::vector<ChangedSeries> series_;
+};
+
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
 void render_alone(const Stages& stages, std::size_t o, const ObserverInput& input,
-                  std::size_t frame, const TemperatureField& field,
-                  const InstrumentViews& instruments, const fs::path& out, Ledger& ledger) {
+                  std::size_t frame, const ShownHeat& heat, const InstrumentViews& instruments,
+                  const fs::path& out, Ledger& ledger) {
     const Prepared& scene = stages.scene();
-    const Movement& movement = scene.movement;
     const Sequence& sequence = scene.sequences[o];
     const Instant instant = sequence.frame[frame];
-    const SceneStage stage = stages.at(movement.stage_of(instant));
-    std::optional<Prepared> on_the_way;
-    const bool blurred = blurs(movement, sequence.at(frame), instant);
-    if (blurred) {
-        on_the_way.emplace(moving(scene, movement.poses_at(instant), movement.motions_at(instant),
-                                  sequence.at(frame).reach()));
-    } else if (!movement.none() && movement.is_under_way(instant)) {
-        on_the_way.emplace(moved(scene, movement.poses_at(instant)));
-    }
-    const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
-    const Series own =
-        cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
+    const Observer& eye = sequence.at(frame);
+    const StandingScene here = standing(stages, eye, instant);
+    const FacetViews& views = here.stage.views;
+    const Series own = cast_series(here.prepared(), input, eye, {&instant, 1}, views, heat.field);
     const std::vector<InstrumentSeries> finer =
-        cast_instruments(instruments, here, sequence.at(frame), {&instant, 1}, stage.views, field);
-    render_instant(here, own, stage.views, field, instant, finer, out, ledger, blurred);
+        cast_instruments(instruments, here.prepared(), eye, {&instant, 1}, views, heat.field);
+    const ChangedViews changed(heat, input, eye, {&instant, 1});
+    render_instant({here.prepared(), own, views, heat, finer, changed.series(), out}, instant,
+                   ledger, blurs(scene.movement, eye, instant));
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
@@ -132,7 +179,7 @@ void render_alone(const Stages& stages, std::size_t o, const ObserverInput& inpu
 ///
 /// - input: with the bands that are wanted
 void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& input,
-                     std::span<const std::size_t> wanted, const TemperatureField& field,
+                     std::span<const std::size_t> wanted, const ShownHeat& heat,
                      const InstrumentViews& instruments, const fs::path& out, Progress& progress,
                      Ledger& ledger) {
     const Prepared& scene = stages.scene();
@@ -165,25 +212,27 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
             if (movement.stage_of(when) == s) frames.push_back(when);
         }
         const Series series =
-            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
+            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, heat.field);
         const std::vector<InstrumentSeries> finer = cast_instruments(
-            instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
+            instruments, stage.prepared, sequence.at(0), frames, stage.views, heat.field);
+        const ChangedViews changed(heat, input, sequence.at(0), frames);
         progress.stage(StageId::frames, input.name);
         each(still[s], [&](std::size_t frame) {
-            render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame], finer,
-                           out, ledger);
+            render_instant(
+                {stage.prepared, series, stage.views, heat, finer, changed.series(), out},
+                sequence.frame[frame], ledger);
         });
     }
     if (!alone.empty()) progress.stage(StageId::frames, input.name);
     each(alone, [&](std::size_t frame) {
-        render_alone(stages, o, input, frame, field, instruments, out, ledger);
+        render_alone(stages, o, input, frame, heat, instruments, out, ledger);
     });
 }
 
 }  // namespace
 
 FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
-                           const TemperatureField& field, const fs::path& out, Progress& progress,
+                           const ShownHeat& heat, const fs::path& out, Progress& progress,
                            Ledger& ledger) {
     FramesReport report;
     const Prepared& prepared = stages.scene();
@@ -201,7 +250,7 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
         }
         if (!wanted.empty()) {
             const InstrumentViews instruments = instrument_views(prepared.scene, input);
-            render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
+            render_sequence(stages, o, input, wanted, heat, instruments, out, progress, ledger);
             if (!instruments.empty()) progress.stage(StageId::instruments, input.name);
             for (const auto& view : instruments) {
                 Messages notes;
@@ -227,6 +276,11 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
         for (const Instant when : input.frames) {
             if (!files(when).empty()) reported.push_back(ledger.reported(files(when).front()));
         }
+        for (std::string& line : changes_reported(reported)) {
+            if (std::find(report.notes.begin(), report.notes.end(), line) == report.notes.end()) {
+                report.notes.push_back(std::move(line));
+            }
+        }
         for (std::string& line : errors_reported(input, reported))
             report.notes.push_back(std::move(line));
         for (std::string& line : beyond_reported(input, reported)) {
@@ -237,15 +291,15 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
 }
 
 FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
-                           const TemperatureField& field, const fs::path& out, Progress& progress) {
+                           const ShownHeat& heat, const fs::path& out, Progress& progress) {
     Ledger ledger(out, "", false);
     ledger.write();
-    return render_frames(stages, chosen, field, out, progress, ledger);
+    return render_frames(stages, chosen, heat, out, progress, ledger);
 }
 
-FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
+FramesReport render_frames(const Stages& stages, const ShownHeat& heat, const fs::path& out,
                            Progress& progress) {
-    return render_frames(stages, stages.scene().scene.observers, field, out, progress);
+    return render_frames(stages, stages.scene().scene.observers, heat, out, progress);
 }
 
 }  // namespace diurna

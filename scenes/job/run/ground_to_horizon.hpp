@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "render/light/radiance_input.hpp"
 #include "render/view/view.hpp"
@@ -19,8 +20,20 @@ std::optional<FarGround> far_ground(const World& world, const FacetSet& facets,
                                     std::span<const float> temperature,
                                     std::span<const float> sky_view);
 
-/// The same if a view looks below its horizon beyond the scene; else none, so that pictures that do
-/// not see it do not depend on it.
+/// The facets whose mean temperature, by length, that is.
+///
+/// - border: border_ground() of those facets
+std::vector<BorderFacet> far_ground_facets(const BorderGround& border, const FacetSet& facets,
+                                           std::span<const float> sky_view);
+
+/// Whether a view looks below its horizon beyond the scene.
+///
+/// - border_height, ground_height: [m] of BorderGround, and of World::sea_level_height, above the
+///   sea
+bool sees_beyond(const View& view, double border_height, double ground_height);
+
+/// The same ground if a view looks below its horizon beyond the scene; else none, so that pictures
+/// that do not see it do not depend on it.
 std::optional<FarGround> seen_beyond(const View& view, const std::optional<FarGround>& ground,
                                      double ground_height_km);
 

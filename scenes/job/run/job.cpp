@@ -75,18 +75,10 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     ledger.write(expected);
 }
 
-/// Writes what the heat balance leaves.
-TemperatureField write_found(const Stages& stages, const Manifest& manifest, const fs::path& out,
-                             Progress& progress, Ledger& ledger, JobReport& report) {
-    const Prepared& prepared = stages.scene();
-    SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.plan.decisions.heat);
-    progress.stage(StageId::write_temperatures);
-    write_heat(prepared, manifest.inputs, heat.result, out / "temperatures.nc");
-    write_radiometers(stages, heat.result, out, heat.report);
-    report.solve = heat.result.report;
-    report.solved = heat.solved;
-    ledger.add(report.files, as_messages(heat.report));
-    return std::move(heat.result.temperature);
+/// The cache of a run. Scenes with uncertain values changed share at least one of their own.
+std::shared_ptr<const StageStore> shared_stages(const Scene& scene, const JobOptions& options) {
+    if (options.stages || scene.uncertain.empty()) return options.stages;
+    return StageStore::in_memory();
 }
 
 /// What was reported of the heat balance when it was solved, in this run or the one it is kept
@@ -173,11 +165,14 @@ class Job {
           progress_(progress),
           prepared_(prepare(std::move(scene))),
           chosen_(chosen_pictures(prepared_.scene, options.pictures)),
-          stages_(prepared_, options.stages) {}
+          stages_(prepared_, shared_stages(prepared_.scene, options)) {}
 
     /// Everything that may be refused is checked before the folder is touched.
     JobReport run() {
         check();
+        if (makes_sigma()) {
+            changed_ = uncertain_scenes(prepared_, options_.scene_with, stages_.shared_store());
+        }
         manifest_ = manifest_of(prepared_, options_.temperatures, options_.settings);
         check_no_input_in(out_, manifest_.inputs);
         report_ = begun_report(prepared_, manifest_, options_);
@@ -205,6 +200,10 @@ class Job {
         for (const fs::path& part : options_.parts) refuse_own(out_, part, "FOLDERS");
         if (!options_.from.empty()) refuse_own(out_, options_.from, "--from");
     }
+    bool makes_sigma() const {
+        return !prepared_.scene.uncertain.empty() && options_.temperatures.empty() &&
+               options_.scene_with;
+    }
     GreyFormat format() const { return prepared_.scene.labels.format; }
     /// Of heat and the chosen pictures.
     std::vector<std::string> expected_files() const {
@@ -227,14 +226,31 @@ class Job {
         return options_.resume || given || !options_.parts.empty();
     }
 
+    /// Solves the heat balance and writes what it leaves.
+    TemperatureField write_found(Ledger& ledger) {
+        constexpr double most_bytes = 1e9;  // of a course
+        const double bytes =
+            4.0 * double(prepared_.world.surfaces().size()) * double(prepared_.plan.steps.size());
+        SceneHeat heat =
+            scene_heat(stages_, manifest_.inputs, progress_, prepared_.plan.decisions.heat,
+                       {.keep_course = !changed_.empty() && 3.0 * bytes < most_bytes});
+        course_ = std::move(heat.result.course);
+        progress_.stage(StageId::write_temperatures);
+        write_heat(prepared_, manifest_.inputs, heat.result, out_ / "temperatures.nc");
+        write_radiometers(stages_, heat.result, out_, heat.report);
+        report_.solve = heat.result.report;
+        report_.solved = heat.solved;
+        ledger.add(report_.files, as_messages(heat.report));
+        return std::move(heat.result.temperature);
+    }
+
     TemperatureField temperatures(TemperatureField given, Ledger& ledger) {
         progress_.stage(StageId::sky_view);
         stages_.at(0);
-        TemperatureField field =
-            !options_.temperatures.empty() ? std::move(given)
-            : ledger.has(report_.files)
-                ? load_temperature_field(out_ / "temperatures.nc")
-                : write_found(stages_, manifest_, out_, progress_, ledger, report_);
+        TemperatureField field = !options_.temperatures.empty() ? std::move(given)
+                                 : ledger.has(report_.files)
+                                     ? load_temperature_field(out_ / "temperatures.nc")
+                                     : write_found(ledger);
         if (options_.temperatures.empty()) {
             report_heat(heat_report_of(ledger.reported("temperatures.nc")), report_);
         }
@@ -246,8 +262,21 @@ class Job {
         return field;
     }
 
+    /// Heat of the scenes with uncertain values changed, if any picture is still to be rendered.
+    std::vector<std::string> change_heat(const TemperatureField& field, const Ledger& ledger) {
+        if (!makes_sigma() && !prepared_.scene.uncertain.empty()) {
+            report_.notes.emplace_back(
+                "uncertain values: planes sigma.BAND are made neither for variants of a sweep nor "
+                "from given temperatures");
+        }
+        if (changed_.empty() || ledger.has(frame_files(chosen_, format()))) return {};
+        return solve_uncertain(prepared_, field, course_, options_.scene_with, changed_, progress_);
+    }
+
     void render(const TemperatureField& field, Ledger& ledger) {
-        const FramesReport frames = render_frames(stages_, chosen_, field, out_, progress_, ledger);
+        const std::vector<std::string> changes = change_heat(field, ledger);
+        const FramesReport frames = render_frames(
+            stages_, chosen_, ShownHeat(field, changed_, changes), out_, progress_, ledger);
         report_.frames_rendered = frames.rendered;
         if (options_.resume) {
             std::size_t all = 0;
@@ -299,6 +328,8 @@ class Job {
     const Stages stages_;
     Manifest manifest_{};
     JobReport report_{};
+    ChangedScenes changed_{};    // for the planes sigma.BAND
+    SpanCourse course_{};        // of the heat balance, if they need it
     std::string earlier_key_{};  // of the run that the folder held; "": none
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/job/input/scene.hpp"
+#include "scenes/job/input/scene_with.hpp"
 #include "scenes/job/plan/chosen_pictures.hpp"
 #include "scenes/job/plan/job_report.hpp"
 #include "scenes/job/plan/plan.hpp"
@@ -29,6 +30,9 @@ struct JobOptions {
     std::filesystem::path temperatures{};  // file to be used instead of a heat balance
     bool resume = false;                   // retain files of an earlier run with the same inputs
     double max_memory = 0.0;  // [bytes] limit for the plan; 0: free memory of the machine
+    /// Reads the scene with other values, for Scene::uncertain; null: no planes sigma.BAND, which
+    /// the report says.
+    SceneWith scene_with{};
     ProgressTo progress{};
 };
 

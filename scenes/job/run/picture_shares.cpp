@@ -4,15 +4,32 @@
 
 #include "render/rays/follow_rays.hpp"
 #include "render/view/cast_view.hpp"
+#include "scenes/job/run/ground_to_horizon.hpp"
 #include "scenes/job/run/series.hpp"
 
 namespace diurna {
 
 namespace {
 
+/// Adds the facets whose mean is the ground beyond the raster, if a view looks at it.
+void add_far_ground(const SceneStage& stage, const View& view, std::vector<float>& share) {
+    const World& world = stage.prepared.world;
+    const FacetSet& surfaces = world.surfaces();
+    const std::optional<BorderGround> border = border_ground(world, surfaces);
+    if (!border || !sees_beyond(view, border->height, world.sea_level_height)) return;
+    const std::vector<BorderFacet> facets = far_ground_facets(*border, surfaces, stage.views.sky);
+    double length = 0.0;
+    for (const BorderFacet& of : facets) length += double(of.length);
+    const double seen = double(view.extent.sky_pixels) / double(view.pixels());
+    for (const BorderFacet& of : facets) {
+        share[of.facet] += static_cast<float>(seen * double(of.length) / length);
+    }
+}
+
 /// Adds what one picture sees, the most of it and of what is there already.
-void add_picture(const Prepared& prepared, int samples, const Observer& pose, Instant when,
+void add_picture(const SceneStage& stage, int samples, const Observer& pose, Instant when,
                  std::vector<float>& share) {
+    const Prepared& prepared = stage.prepared;
     const FacetSet& surfaces = prepared.world.surfaces();
     const ViewOptions sampling{.samples = samples,
                                .seed = prepared.scene.seed,
@@ -35,6 +52,7 @@ void add_picture(const Prepared& prepared, int samples, const Observer& pose, In
         if (secondary.kind == SecondaryRay::Kind::facet)
             here[secondary.what] += pixel * secondary.weight;
     }
+    add_far_ground(stage, view, here);
     for (std::size_t f = 0; f < share.size(); ++f) share[f] = std::max(share[f], here[f]);
 }
 
@@ -56,8 +74,8 @@ std::vector<float> picture_shares(const Stages& stages, int most_poses) {
             const std::size_t asked = std::min(poses, static_cast<std::size_t>(most_poses));
             for (std::size_t i = 0; i < asked; ++i) {
                 const std::size_t frame = frames[asked > 1 ? i * (poses - 1) / (asked - 1) : 0];
-                add_picture(stages.at(s).prepared, scene.scene.observers[o].samples,
-                            sequence.at(frame), sequence.frame[frame], share);
+                add_picture(stages.at(s), scene.scene.observers[o].samples, sequence.at(frame),
+                            sequence.frame[frame], share);
             }
         }
     }
@@ -69,7 +87,7 @@ std::vector<float> view_shares(const Stages& stages, std::span<const SeenView> v
     std::vector<float> share(stages.scene().world.surfaces().size(), 0.0f);
     for (const SeenView& view : views) {
         const std::size_t stage = movement.none() ? 0 : movement.stage_of(view.when);
-        add_picture(stages.at(stage).prepared, view.samples, view.eye, view.when, share);
+        add_picture(stages.at(stage), view.samples, view.eye, view.when, share);
     }
     return share;
 }

@@ -10,8 +10,9 @@
 namespace diurna {
 
 /// The largest share of any picture filled by a facet of World::surfaces(), directly, in mirrors or
-/// through panes: (facet) 0 to 1. For moving observers, and in each stage of moving objects,
-/// `most_poses` are evaluated, evenly over their frames.
+/// through panes, or as one of those whose mean is the ground beyond the raster
+/// (scenes/job/run/ground_to_horizon.hpp): (facet) 0 to 1. For moving observers, and in each stage
+/// of moving objects, `most_poses` are evaluated, evenly over their frames.
 std::vector<float> picture_shares(const Stages& stages, int most_poses = 24);
 
 /// A picture beside those of the scene's observers, as studies make them.

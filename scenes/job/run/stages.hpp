@@ -31,6 +31,7 @@ class Stages {
     SceneStage at(std::size_t stage) const;
     const Prepared& scene() const { return prepared_; }
     const StageStore* store() const { return store_.get(); }
+    const std::shared_ptr<const StageStore>& shared_store() const { return store_; }
 
  private:
     struct Own {

@@ -1,0 +1,33 @@
+#include "scenes/job/input/scene_with.hpp"
+
+#include <fmt/format.h>
+
+#include "materials/base/error.hpp"
+#include "scenes/job/input/scene_file.hpp"
+
+namespace diurna {
+
+SceneWith reads_scene(std::filesystem::path file, std::vector<std::string> settings,
+                      bool allow_outside) {
+    return [=](const std::vector<std::string>& more) {
+        std::vector<std::string> all = settings;
+        all.insert(all.end(), more.begin(), more.end());
+        return read_scene(file, all, allow_outside);
+    };
+}
+
+std::string setting(const std::string& key, double value) {
+    return fmt::format("{}={}", key, value);
+}
+
+Scene scene_with_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
+                          const std::string& where) {
+    try {
+        return scene_with(settings);
+    } catch (const InputError& error) {
+        const Mistake& found = error.mistakes().front();
+        throw InputError(where, fmt::format("{}: {}", found.where, found.problem), found.hint);
+    }
+}
+
+}  // namespace diurna

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenes/job/input/scene.hpp"
+
+namespace diurna {
+
+/// Reads the scene with additional settings "key=value". Throws InputError.
+using SceneWith = std::function<Scene(const std::vector<std::string>&)>;
+
+/// That of a file.
+///
+/// - settings: come before the additional ones
+SceneWith reads_scene(std::filesystem::path file, std::vector<std::string> settings,
+                      bool allow_outside);
+
+std::string setting(const std::string& key, double value);
+
+/// Reads the scene with those. Throws InputError at `where` if it cannot be read.
+///
+/// - where: position of the request in the scene file
+Scene scene_with_settings(const SceneWith& scene_with, const std::vector<std::string>& settings,
+                          const std::string& where);
+
+}  // namespace diurna

@@ -21,10 +21,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOLERANCES = [2, 1, 0.5, 0.2, 0.1, 0.05, 0.02]
 FIELDS = ["scene", "tolerance_K", "processor_s", "calibration_s", "ratio", "peak_MB", "facets", "reported_rms_K", "reported_low_K",
           "reported_high_K", "true_rms_K", "true_99_K", "pixels"]
-# Pictures: one observer of each sample, morning, noon and night.
+# Pictures that are rendered and compared: those in which `audit` draws its places; of the crossover's instants three.
 SAMPLES = {
-    "jacksboro": ["--only", "observer=east", "--only", "band=8-12", "--only", "frames=08:00..08:00", "--only", "frames=14:00..14:00",
-                  "--only", "frames=23:00..23:00"],
+    "jacksboro": ["--only", "band=8-12"],
     "approach": ["--only", "observer=apron"],
     "crossover": ["--only", "band=8-12", "--only", "frames=08:00..08:00", "--only", "frames=14:00..14:00", "--only", "frames=23:00..23:00"],
 }
@@ -158,7 +157,7 @@ def rows_of(program, name, tolerances, work):
         told, _, _ = cost([program, "audit", out, "--checks", "200"])
         rms = re.search(r"rms difference +([\d.e-]+) K +95 % interval ([\d.e-]+) to ([\d.e-]+)", told)
         true, worst, pixels = difference(out, reference)
-        yield dict(zip(FIELDS, [name, tolerance, f"{seconds:.2f}", f"{loop:.3f}", f"{seconds / loop:.2f}", f"{peak:.0f}", re.search(r"(\d+) facets,", said)[1],
+        yield dict(zip(FIELDS, [name, tolerance, f"{seconds:.2f}", f"{loop:.3f}", f"{seconds / loop:.2f}", f"{peak:.0f}", re.search(r"(?m)^(\d+) facets,", said)[1],
                                 *(rms.groups() if rms else ("", "", "")), f"{true:.4f}", f"{worst:.3f}", pixels]))
         shutil.rmtree(out)
 

@@ -150,9 +150,9 @@ std::string contrast_json(const ContrastInput& input, const ContrastReport& repo
             const ContrastRow& lowest = report.row[summary.lowest];
             one["lowest"] = {{"time", format_local(lowest.when, scene.time.utc_offset)},
                              {"rss_K", lowest.rss}};
-            one["highest_rss_K_at_range_m"] = OrderedJson::object();
+            one["rss_K_at_range_m"] = OrderedJson::object();
             for (std::size_t k = 0; k < summary.at_range.size(); ++k) {
-                one["highest_rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
+                one["rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
                     finite(summary.at_range[k]);
             }
         }

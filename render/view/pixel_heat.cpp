@@ -141,13 +141,15 @@ void set_pixel_heat(const View& view, const SunOverFacets& sun, const MaterialLi
     for (std::size_t f = crossed.size(); textured && f < sun.facets.size(); ++f) {
         crossed.push_back(crossed[levels->origin[f]]);
     }
+    const std::span<const float> mean = sun.past ? std::span(sun.past->share) : sun.fraction;
+    const std::vector<float>& share = sun.past ? pixels.past_share : pixels.share;
     const std::vector<float> kelvins =
-        kelvins_of_sun(sun.facets, crossed, sun.fraction, temperature,
+        kelvins_of_sun(sun.facets, crossed, mean, temperature,
                        most_kelvins_of_sun(sun.facets, materials, sun.to_sun, temperature));
     pixels.warmer.resize(pixels.sighting.size());
     for (std::size_t e = 0; e < pixels.warmer.size(); ++e) {
         const std::size_t facet = index(view.facet[view.sighting[pixels.sighting[e]].target]);
-        pixels.warmer[e] = kelvins[facet] * (pixels.share[e] - sun.fraction[facet]);
+        pixels.warmer[e] = kelvins[facet] * (share[e] - mean[facet]);
     }
 }
 

@@ -13,11 +13,11 @@ namespace diurna {
 /// common corner, in its plane to 10° and of its material. Limited to at least 0 and to the range
 /// of these facets' temperatures; for thin sheets, which follow the sun within minutes, to the
 /// possible effect of the sun, as of large facets none may be entirely in the shade. 0 unless
-/// `crossed`. A part that has just left the shadow has the temperature of a part long in the sun:
-/// only the present sun is considered.
+/// `crossed`.
 ///
 /// - crossed: (facet) for the first ones
-/// - share: (facet) of the sun; temperature: (facet) [K]
+/// - share: (facet) of the sun, past or present (render/view/past_sun.hpp); temperature: (facet)
+/// [K]
 std::vector<float> kelvins_of_sun(const FacetSet& facets, std::span<const std::uint8_t> crossed,
                                   std::span<const float> share, std::span<const float> temperature,
                                   std::span<const float> most);
@@ -31,7 +31,8 @@ std::vector<float> most_kelvins_of_sun(const FacetSet& facets, const MaterialLib
                                        std::span<const float> temperature);
 
 /// Sets the temperature difference of pixels from their facets' mean: that slope times the pixel's
-/// share of the sun minus the facet's, so that the facet's mean is unchanged.
+/// share of the sun minus the facet's, so that the facet's mean is unchanged. Shares are those over
+/// the hours before where SunOverFacets::past has them.
 ///
 /// Levels of a texture use the slopes of their own material.
 ///

@@ -16,7 +16,8 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t sun_lanes = RayBundles::lanes;
-constexpr float all_or_nothing = 0.02f;  // shares that near to 0 or 1 count as these
+constexpr double golden = 0.6180339887498949;  // its multiples fill an interval evenly
+constexpr float all_or_nothing = 0.02f;        // shares that near to 0 or 1 count as these
 
 /// The facet that rays know in the place of each.
 struct InPlace {
@@ -44,13 +45,20 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
     return out;
 }
 
+/// Which samples are asked for the sun, and which sun.
+struct Asked {
+    bool every = false;  // though the first ones are alike
+    bool past = false;   // SunOverFacets::past
+    int before = 0;      // samples of the pixel that were asked earlier
+};
+
 /// Casts the samples of a few pixels at a time and asks for the sun at what they meet. For one
 /// thread.
 class SampleCaster {
  public:
     SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
                  const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out,
-                 std::span<std::uint8_t> mixed, bool every)
+                 std::span<std::uint8_t> mixed, Asked asked)
         : view_(view),
           sun_(sun),
           disc_(sun.to_sun),
@@ -60,12 +68,14 @@ class SampleCaster {
           crossed_(crossed),
           out_(out),
           mixed_(mixed),
+          past_(asked.past ? sun.past : nullptr),
+          before_(asked.before),
           at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
           rays_(sun.rays, at_a_time_ * samples.bundles()) {
         rays_.set_origin(samples.origin());
         // One in each row of cells and in each column: rooks a knight's move apart.
         const auto [columns, rows] = nearly_square(options.samples);
-        is_first_.assign(std::size_t(options.samples), every || options.samples < 8);
+        is_first_.assign(std::size_t(options.samples), asked.every || options.samples < 8);
         for (int r = 0; r < rows; ++r) {
             const int column = std::min((2 * r + 1) % (columns + 1), columns - 1);
             is_first_[std::size_t(r * columns + column)] = true;
@@ -141,32 +151,54 @@ class SampleCaster {
                 const Copies::Place met = view_.copies.at(rays_.facet[ray]);
                 if (met.facet == index(no_facet) || crossed_[met.facet] == 0) continue;
                 const Eigen::Vector2d at = evenly(sample, {start_x, start_y});
-                add_ray(k, ray, met, disc_.towards(at.x(), at.y()));
+                add_rays(k, ray, met, sample, at);
             }
         }
     }
 
-    void add_ray(std::size_t k, std::size_t ray, const Copies::Place& met,
-                 const Eigen::Vector3d& towards) {
+    /// Past suns of a sample: the same instants in every pixel, so that neighbours do not differ by
+    /// chance; more of them where a facet fills little of the pixel and few samples meet it.
+    void add_past(std::uint8_t course, int sample, float weight) {
+        constexpr float least_suns = 6.0f;
+        const float samples = std::max(1.0f, weight * float(is_first_.size()));
+        const int suns = static_cast<int>(std::ceil(least_suns / samples));
+        for (int i = 0; i < suns; ++i) {
+            double whole;
+            const double place = golden * (sample + before_ + 0.5) + double(i) / suns;
+            towards_.push_back(past_->towards(course, std::modf(place, &whole)));
+        }
+    }
+
+    void add_rays(std::size_t k, std::size_t ray, const Copies::Place& met, int sample,
+                  const Eigen::Vector2d& at) {
         std::uint32_t entry = out_.row[k];
         while (entry < out_.row[k + 1] &&
                !(place_of(entry) == met.facet && copy_of(entry) == met.copy)) {
             ++entry;
         }
         if (entry == out_.row[k + 1]) return;
-        // Where the sun is below the facet's own plane it does not shine.
+        towards_.clear();
+        const std::uint8_t course = past_ ? past_->of_facet[met.facet] : PastSun::at_once;
+        if (course == PastSun::at_once) {
+            towards_.push_back(disc_.towards(at.x(), at.y()));
+        } else {
+            add_past(course, sample, view_.sighting[out_.sighting[entry]].weight);
+        }
         LiftedFacet lifted = met.copy == no_copy
                                  ? LiftedFacet(sun_.facets, met.facet)
                                  : LiftedFacet(sun_.facets, met.facet, view_.copies[met.copy].pose);
         if (met.copy == no_copy) lifted.corner += sun_.rays.gone(met.facet, rays_.time[ray]);
-        if (lifted.normal.dot(towards) <= 0.0) {
-            seen_of(entry).add(0.0f);
-            return;
+        const Eigen::Vector3f from = place(ray, lifted);
+        for (const Eigen::Vector3d& towards : towards_) {
+            // Where the sun is below the facet's own plane it does not shine.
+            if (lifted.normal.dot(towards) <= 0.0) {
+                seen_of(entry).add(0.0f);
+                continue;
+            }
+            to_sun_.push_back(
+                {.origin = from, .direction = towards.cast<float>(), .time = rays_.time[ray]});
+            entry_.push_back(entry);
         }
-        to_sun_.push_back({.origin = place(ray, lifted),
-                           .direction = towards.cast<float>(),
-                           .time = rays_.time[ray]});
-        entry_.push_back(entry);
     }
 
     /// Where a ray of the picture meets the facet's plane, lifted off it.
@@ -196,6 +228,7 @@ class SampleCaster {
                 const Seen& here = seen_of(first);
                 out_.share[e] = here.count > 0 ? here.mean()
                                 : as_others    ? all.mean()
+                                : past_        ? past_->share[place_of(e)]
                                                : sun_.fraction[place_of(e)];
             }
         }
@@ -233,9 +266,12 @@ class SampleCaster {
     std::span<const std::uint8_t> crossed_;
     PixelSun& out_;
     std::span<std::uint8_t> mixed_;  // (pixel of out) written: its samples differ
-    std::size_t at_a_time_;          // pixels
+    const PastSun* past_;
+    int before_;             // samples
+    std::size_t at_a_time_;  // pixels
     RayBundles rays_;
     std::size_t first_pixel_ = 0;
+    std::vector<Eigen::Vector3d> towards_;  // of one sample
     std::vector<Ray> to_sun_;
     std::vector<std::uint32_t> entry_;  // (ray to the sun)
     std::vector<float> share_;          // (ray to the sun)
@@ -246,10 +282,9 @@ class SampleCaster {
 
 /// Finds all shares of `out`; returns (pixel of out) 1 where samples differ.
 ///
-/// - every: asks at every sample, though the first ones be alike
 std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
                                    const Observer& observer, const ViewOptions& options,
-                                   std::span<const std::uint8_t> crossed, bool every,
+                                   std::span<const std::uint8_t> crossed, Asked asked,
                                    PixelSun& out) {
     std::vector<std::uint8_t> mixed(out.pixel.size(), 0);
     out.share.resize(out.sighting.size());
@@ -257,42 +292,76 @@ std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
     constexpr std::size_t grain = 256;
     std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
     for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
-        SampleCaster caster(view, sun, samples, options, crossed, out, mixed, every);
+        SampleCaster caster(view, sun, samples, options, crossed, out, mixed, asked);
         rays[begin / grain] = caster.cast(begin, end);
     });
     out.rays += std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
     return mixed;
 }
 
-constexpr int least_refined = 4, times_more = 3;
-
-/// Takes three times as many samples more in pixels that an edge goes through: sixteen leave 0.04
-/// of what sun and shade differ by.
-void refine(const View& view, const SunOverFacets& sun, const Observer& observer,
-            const ViewOptions& options, std::span<const std::uint8_t> crossed,
-            std::span<const std::uint8_t> mixed, PixelSun& out) {
-    PixelSun finer;
-    finer.row.push_back(0);
-    std::vector<std::uint32_t> entry;  // (entry of finer) that of out
-    for (std::size_t k = 0; k < out.pixel.size(); ++k) {
-        if (!mixed[k]) continue;
-        finer.pixel.push_back(out.pixel[k]);
-        for (std::uint32_t e = out.row[k]; e < out.row[k + 1]; ++e) {
-            finer.sighting.push_back(out.sighting[e]);
+/// Those entries of `from` that are wanted, and their numbers there.
+template <class Wanted>
+PixelSun some_entries(const PixelSun& from, const Wanted& wanted,
+                      std::vector<std::uint32_t>& entry) {
+    PixelSun some;
+    some.row.push_back(0);
+    for (std::size_t k = 0; k < from.pixel.size(); ++k) {
+        for (std::uint32_t e = from.row[k]; e < from.row[k + 1]; ++e) {
+            if (!wanted(k, e)) continue;
+            some.sighting.push_back(from.sighting[e]);
             entry.push_back(e);
         }
-        finer.row.push_back(static_cast<std::uint32_t>(finer.sighting.size()));
+        if (some.sighting.size() == some.row.back()) continue;
+        some.pixel.push_back(from.pixel[k]);
+        some.row.push_back(static_cast<std::uint32_t>(some.sighting.size()));
     }
+    return some;
+}
+
+constexpr int least_refined = 4;
+
+/// Takes `times` as many samples more in pixels that an edge goes through: sixteen leave 0.04 of
+/// what sun and shade differ by.
+void refine(const View& view, const SunOverFacets& sun, const Observer& observer,
+            const ViewOptions& options, std::span<const std::uint8_t> crossed,
+            std::span<const std::uint8_t> mixed, int times, Asked asked, PixelSun& out) {
+    std::vector<std::uint32_t> entry;  // (entry of finer) that of out
+    PixelSun finer = some_entries(
+        out, [&](std::size_t k, std::uint32_t) { return mixed[k] != 0; }, entry);
     ViewOptions more = options;
-    more.samples = times_more * options.samples;
+    more.samples = times * options.samples;
     more.seed = options.seed + golden_step;
-    cast_all(view, sun, observer, more, crossed, true, finer);
-    constexpr float share = float(times_more) / float(1 + times_more);
+    cast_all(view, sun, observer, more, crossed,
+             {.every = true, .past = asked.past, .before = options.samples}, finer);
+    const float share = float(times) / float(1 + times);
     for (std::size_t i = 0; i < entry.size(); ++i) {
         float& of = out.share[entry[i]];
         of += share * (finer.share[i] - of);
     }
     out.rays += finer.rays;
+}
+
+/// Shares over the hours before, of facets that remember them; of the others the present ones.
+void cast_past(const View& view, const SunOverFacets& sun, const Observer& observer,
+               ViewOptions options, std::span<const std::uint8_t> crossed, PixelSun& out) {
+    constexpr int least_samples = 16;  // each has one past sun
+    options.samples = std::max(options.samples, least_samples);
+    const InPlace in_place{options.texture_levels};
+    std::vector<std::uint32_t> entry;
+    PixelSun past = some_entries(
+        out,
+        [&](std::size_t, std::uint32_t e) {
+            const FacetId facet = view.facet[view.sighting[out.sighting[e]].target];
+            return sun.past->of_facet[in_place(facet)] != PastSun::at_once;
+        },
+        entry);
+    constexpr Asked asked{.every = true, .past = true};
+    const std::vector<std::uint8_t> mixed =
+        cast_all(view, sun, observer, options, crossed, asked, past);
+    refine(view, sun, observer, options, crossed, mixed, 1, asked, past);
+    out.past_share = out.share;
+    for (std::size_t i = 0; i < entry.size(); ++i) out.past_share[entry[i]] = past.share[i];
+    out.rays += past.rays;
 }
 
 }  // namespace
@@ -304,7 +373,9 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
     if (sun.fraction.empty()) return crossed;
     const Eigen::Vector3f to_sun = sun.to_sun.cast<float>();
     std::vector<float> least(facets.vertex.size(), 1.0f), most(facets.vertex.size(), 0.0f);
-    for (const std::span<const float> fraction : {sun.fraction, sun.before, sun.after}) {
+    std::vector<std::span<const float>> moments = sun.also;
+    moments.push_back(sun.fraction);
+    for (const std::span<const float> fraction : moments) {
         if (fraction.empty()) continue;
         for (std::size_t f = 0; f < known; ++f) {
             if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
@@ -327,8 +398,12 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
                         const ViewOptions& options) {
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
-    std::vector<std::uint8_t> mixed = cast_all(view, sun, observer, options, crossed, false, out);
-    if (options.samples >= least_refined) refine(view, sun, observer, options, crossed, mixed, out);
+    const std::vector<std::uint8_t> mixed =
+        cast_all(view, sun, observer, options, crossed, {}, out);
+    if (options.samples >= least_refined) {
+        refine(view, sun, observer, options, crossed, mixed, 3, {}, out);
+    }
+    if (sun.past) cast_past(view, sun, observer, options, crossed, out);
     out.crossed = std::move(crossed);
     return out;
 }

@@ -167,7 +167,7 @@ TEST_CASE("the shadow of a moving object is blurred with it", "[render][motion][
     };
     const std::vector<float> middle = fraction(0.5f), before = fraction(0.0f),
                              after = fraction(1.0f);
-    const SunOverFacets sun{rays, scene.facets, middle, to_sun, before, after};
+    const SunOverFacets sun{rays, scene.facets, middle, to_sun, {before, after}};
     const PixelSun found = cast_pixel_sun(view, sun, scene.observer, options);
     std::vector<double> lit(width, 0.0), floor(width, 0.0);
     for (std::size_t k = 0; k < found.pixel.size(); ++k) {

@@ -38,7 +38,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
     {"thermal",
      {"netcdf", "weather", "weather_file", "column", "surface", "kernels", "steppers", "network",
       "point", "covered_facets", "heat_flux_field", "temperature_names", "temperature_field",
-      "temperature_reader", "temperature_mesh", "received_light", "solve"}},
+      "field_difference", "temperature_reader", "temperature_mesh", "received_light", "solve"}},
     {"render",
      {"picture", "instrument", "detection", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes",

@@ -231,13 +231,13 @@ PictureWork picture_work(const Scene& scene, const World& world,
     return work;
 }
 
-/// Heat once more for each uncertain value and for all together, each from the temperatures of the
-/// scene itself in about half the time; views and pictures once more for each.
+/// Heat once more for each uncertain value and for all together; views and pictures once more for
+/// each.
 void count_uncertain(std::size_t values, Plan& plan) {
     if (values == 0) return;
     const double solves = double(values) + (values > 1 ? 1.0 : 0.0);
     for (PlannedStage& stage : plan.stages) {
-        if (stage.stage == StageId::heat_balance) stage.seconds *= 1.0 + 0.5 * solves;
+        if (stage.stage == StageId::heat_balance) stage.seconds *= 1.0 + solves;
         const bool again = stage.stage == StageId::views || stage.stage == StageId::frames;
         if (again || stage.stage == StageId::terrain) stage.seconds *= 1.0 + double(values);
     }

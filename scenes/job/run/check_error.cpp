@@ -13,9 +13,11 @@
 #include "render/view/linear_facets.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
+#include "scenes/job/run/remembered_sun.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 namespace diurna {
 
@@ -24,7 +26,7 @@ namespace {
 constexpr std::size_t most_checked_instants = 24;
 constexpr std::size_t most_named = 4;  // materials
 
-/// The points' facets and all that share a corner with one.
+/// The points' surfaces and all that share a corner with one, and levels of textures there.
 std::vector<FacetId> about(const World& world, const CheckPoints& points) {
     const FacetSet& facets = world.facets;
     const TextureLevels& levels = world.texture_levels;
@@ -34,8 +36,8 @@ std::vector<FacetId> about(const World& world, const CheckPoints& points) {
         for (const std::uint32_t v : facets.corner[f]) touched[v] = 1;
     }
     std::vector<FacetId> near;
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-        const auto& corner = facets.corner[f];
+    for (std::size_t f = 0; f < world.surfaces().size(); ++f) {
+        const auto& corner = facets.corner[levels.solid_of(f)];
         if (std::any_of(corner.begin(), corner.end(), [&](auto v) { return touched[v] != 0; })) {
             near.push_back(FacetId{static_cast<std::uint32_t>(f)});
         }
@@ -49,7 +51,30 @@ struct AtPoints {
     std::vector<float> by_sun;  // error of its surface's mean due to the number of rays to the sun
 };
 
-AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
+/// The points' shares of the sun over the hours before.
+std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
+                                 const Prepared& prepared, std::span<const float> present) {
+    constexpr int samples = 2;  // of the disc, for each past sun
+    std::vector<float> share(present.begin(), present.begin() + points.point.size());
+    std::vector<float> now(points.beside.facets.size());
+    for (std::size_t c = 0; c < past.course.size(); ++c) {
+        std::vector<std::uint32_t> chosen;
+        for (std::uint32_t k = 0; k < share.size(); ++k) {
+            const std::size_t f = prepared.world.texture_levels.solid_of(points.point[k].surface);
+            if (past.of_facet[f] != c) continue;
+            chosen.push_back(k);
+            share[k] = 0.0f;
+        }
+        for (const Eigen::Vector3d& to_sun : past.course[c]) {
+            sun_fraction(points.beside.facets, prepared.rays, to_sun, chosen, now,
+                         {.samples = samples, .seed = prepared.scene.seed});
+            for (const std::uint32_t k : chosen) share[k] += now[k] / float(PastSun::quantiles);
+        }
+    }
+    return share;
+}
+
+AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
                      std::span<const FacetId> near, Instant when,
                      std::span<const float> temperature) {
     AtPoints at{.warmer = std::vector<float>(points.point.size(), 0.0f),
@@ -61,7 +86,13 @@ AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
         sun_on_surfaces(prepared, place, prepared.scene.sun_samples, near);
     const TextureLevels& levels = world.texture_levels;
     const FacetSet& surfaces = world.surfaces();
-    const SunOverFacets sun{prepared.rays, surfaces, fraction, sun_direction(place)};
+    const RememberedSun remembered = remembered_sun(prepared, views, fraction, near, when);
+    const SunOverFacets sun{prepared.rays,
+                            surfaces,
+                            fraction,
+                            sun_direction(place),
+                            remembered.moments(),
+                            remembered.empty() ? nullptr : &remembered.past};
     std::vector<FacetId> of_point;
     for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
     const std::vector<FacetSlope> slope =
@@ -75,13 +106,17 @@ AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
     for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
         crossed.push_back(crossed[levels.solid_of(f)]);
     }
+    const std::span<const float> mean = sun.past ? std::span(sun.past->share) : fraction;
     const std::vector<float> kelvins = kelvins_of_sun(
-        surfaces, crossed, fraction, temperature,
+        surfaces, crossed, mean, temperature,
         most_kelvins_of_sun(surfaces, prepared.scene.materials, sun.to_sun, temperature));
     const SunExposure on_patch = sun_at(points, prepared, {when});
+    const std::vector<float> share =
+        sun.past ? remembered_at(points, *sun.past, prepared, on_patch.fraction)
+                 : on_patch.fraction;
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const std::uint32_t f = points.point[k].surface;
-        warmer[k] += kelvins[f] * (on_patch.fraction[k] - fraction[f]);
+        warmer[k] += kelvins[f] * (share[k] - mean[f]);
         const float on_whole = on_patch.fraction[points.point.size() + k];
         at.by_sun[k] = kelvins[f] * (fraction[f] - on_whole);
     }
@@ -128,7 +163,7 @@ struct Sum {
 
 }  // namespace
 
-CheckError check_error(const Prepared& prepared, const CheckPoints& points,
+CheckError check_error(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
                        const TemperatureField& field, std::span<const float> patches) {
     CheckError error;
     const std::size_t count = points.point.size(), all = field.instant.size();
@@ -144,7 +179,7 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     for (std::size_t a = 0; a < asked; ++a) {
         const std::size_t i = asked > 1 ? a * (all - 1) / (asked - 1) : 0;
         const std::span<const float> kelvin = field.at(i);
-        const AtPoints shown = in_pictures(prepared, points, near, field.instant[i], kelvin);
+        const AtPoints shown = in_pictures(prepared, views, points, near, field.instant[i], kelvin);
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t f = points.point[k].surface;
             const float* const patch = patches.data() + 2 * i * count;

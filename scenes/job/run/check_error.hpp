@@ -8,6 +8,7 @@
 
 #include "scenes/job/run/check_points.hpp"
 #include "scenes/job/run/recommended.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -35,9 +36,10 @@ struct CheckError {
 /// Compares the temperatures in pictures at the points (facets' temperatures with sub-facet
 /// sunlight, render/view/pixel_heat.hpp) with the patches' own, at 24 instants at most.
 ///
+/// - views: of the surfaces
 /// - field: of all surfaces
 /// - patches: (instant of field, patch) [K]
-CheckError check_error(const Prepared& prepared, const CheckPoints& points,
+CheckError check_error(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
                        const TemperatureField& field, std::span<const float> patches);
 
 inline constexpr const char* check_begins = "surface check:";

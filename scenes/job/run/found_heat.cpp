@@ -38,7 +38,7 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
 }  // namespace
 
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
-                     const HeatDecision& decision, const SimilarSolves& similar) {
+                     const HeatDecision& decision) {
     const Prepared& prepared = stages.scene();
     const OutputInput& output = prepared.scene.output;
     const bool kept_whole = !output.state && !output.fluxes && prepared.radiometers.empty();
@@ -57,7 +57,7 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{.result = solve_scene(stages, progress, decision, similar), .report = {}};
+    SceneHeat heat{.result = solve_scene(stages, progress, decision), .report = {}};
     heat.report = heat_report(prepared.scene, heat.result);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {

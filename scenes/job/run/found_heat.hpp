@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "scenes/job/plan/progress.hpp"
-#include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/heat_report.hpp"
 #include "scenes/job/run/stages.hpp"
 #include "scenes/job/store/inputs.hpp"
@@ -24,8 +23,7 @@ struct SceneHeat {
 /// or fluxes are requested.
 ///
 /// - inputs: of the run, for a scene that is unchanged since it was read
-/// - similar: solves of scenes with other numbers; from the cache without SpanResult::course
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
-                     const HeatDecision& decision, const SimilarSolves& similar = {});
+                     const HeatDecision& decision);
 
 }  // namespace diurna

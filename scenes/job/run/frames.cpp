@@ -131,16 +131,17 @@ StandingScene standing(const Stages& stages, const Observer& eye, Instant instan
 /// An observer's bands in every scene with an uncertain value changed.
 class ChangedViews {
  public:
+    /// - standing: (ChangedScene) as it stands in these frames
+    template <class Standing>
     ChangedViews(const ShownHeat& heat, const ObserverInput& input, const Observer& eye,
-                 std::span<const Instant> frames)
+                 std::span<const Instant> frames, const Standing& standing)
         : input_(input) {
         if (!heat.changed) return;
         input_.cubes.clear();
         input_.terms = false;
         input_.surfaces = 0;
         for (const auto& scene : *heat.changed) {
-            scene_.push_back(std::make_unique<const StandingScene>(
-                standing(scene->stages, eye, frames.front())));
+            scene_.push_back(std::make_unique<const StandingScene>(standing(scene->stages)));
             const StandingScene& here = *scene_.back();
             series_.push_back({here, scene->field,
                                cast_series(here.prepared(), input_, eye, frames, here.stage.views,
@@ -169,7 +170,8 @@ void render_alone(const Stages& stages, std::size_t o, const ObserverInput& inpu
     const Series own = cast_series(here.prepared(), input, eye, {&instant, 1}, views, heat.field);
     const std::vector<InstrumentSeries> finer =
         cast_instruments(instruments, here.prepared(), eye, {&instant, 1}, views, heat.field);
-    const ChangedViews changed(heat, input, eye, {&instant, 1});
+    const ChangedViews changed(heat, input, eye, {&instant, 1},
+                               [&](const Stages& other) { return standing(other, eye, instant); });
     render_instant({here.prepared(), own, views, heat, finer, changed.series(), out}, instant,
                    ledger, blurs(scene.movement, eye, instant));
 }
@@ -215,7 +217,9 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
             cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, heat.field);
         const std::vector<InstrumentSeries> finer = cast_instruments(
             instruments, stage.prepared, sequence.at(0), frames, stage.views, heat.field);
-        const ChangedViews changed(heat, input, sequence.at(0), frames);
+        const ChangedViews changed(heat, input, sequence.at(0), frames, [&](const Stages& other) {
+            return StandingScene{.stage = other.at(s)};
+        });
         progress.stage(StageId::frames, input.name);
         each(still[s], [&](std::size_t frame) {
             render_instant(

@@ -136,8 +136,9 @@ namespace {
 
 /// The span of representative facets, and of check points beside them.
 SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
-                         const Representatives& who, const Prepared& scene,
+                         const Representatives& who, const SceneStage& first,
                          const CheckPoints& points) {
+    const auto& [scene, views, store] = first;
     std::vector<std::unique_ptr<SolvedPart>> part;
     std::vector<SpanStage> solved;
     for (const SpanStage& stage : stages) {
@@ -160,7 +161,7 @@ SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& o
     }
     spread(who, result, beside);
     if (beside > 0) {
-        result.check = check_error(scene, points, result.temperature, patches);
+        result.check = check_error(scene, views, points, result.temperature, patches);
         result.places = points.point.size();
         result.notes.push_back(in_words(result.check, points, scene.scene.tolerance));
     }
@@ -231,7 +232,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                     : solve_needed(parts, span,
                                    needed ? needed->who
                                           : all_represent_themselves(scene.world.surfaces().size()),
-                                   scene, points);
+                                   stages.at(0), points);
     result.unchecked = points.skipped;
     if (points.point.empty() && points.skipped > 0) {
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));

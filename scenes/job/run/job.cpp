@@ -228,13 +228,8 @@ class Job {
 
     /// Solves the heat balance and writes what it leaves.
     TemperatureField write_found(Ledger& ledger) {
-        constexpr double most_bytes = 1e9;  // of a course
-        const double bytes =
-            4.0 * double(prepared_.world.surfaces().size()) * double(prepared_.plan.steps.size());
         SceneHeat heat =
-            scene_heat(stages_, manifest_.inputs, progress_, prepared_.plan.decisions.heat,
-                       {.keep_course = !changed_.empty() && 3.0 * bytes < most_bytes});
-        course_ = std::move(heat.result.course);
+            scene_heat(stages_, manifest_.inputs, progress_, prepared_.plan.decisions.heat);
         progress_.stage(StageId::write_temperatures);
         write_heat(prepared_, manifest_.inputs, heat.result, out_ / "temperatures.nc");
         write_radiometers(stages_, heat.result, out_, heat.report);
@@ -270,7 +265,7 @@ class Job {
                 "from given temperatures");
         }
         if (changed_.empty() || ledger.has(frame_files(chosen_, format()))) return {};
-        return solve_uncertain(prepared_, field, course_, options_.scene_with, changed_, progress_);
+        return solve_uncertain(prepared_, field, options_.scene_with, changed_, progress_);
     }
 
     void render(const TemperatureField& field, Ledger& ledger) {

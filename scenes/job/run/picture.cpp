@@ -19,6 +19,7 @@
 #include "scenes/job/run/ground_to_horizon.hpp"
 #include "scenes/job/run/light_heights.hpp"
 #include "scenes/job/run/measured_materials.hpp"
+#include "scenes/job/run/remembered_sun.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "scenes/job/world/light_source.hpp"
 #include "terrain/place/local_time.hpp"
@@ -121,8 +122,15 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     if (blurred) {
         before = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples, {}, 0.0f);
         after = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples, {}, 1.0f);
-        over.before = before;
-        over.after = after;
+        over.also = {before, after};
+    }
+    RememberedSun remembered;
+    if (!light.moon && !blurred) {
+        remembered = remembered_sun(prepared, views, fraction, s.lit.facet, instant);
+    }
+    if (!remembered.empty()) {
+        over.also = remembered.moments();
+        over.past = &remembered.past;
     }
     PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
     if (!light.moon) {

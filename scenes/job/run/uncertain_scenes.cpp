@@ -25,8 +25,8 @@ bool same_frames(const Prepared& a, const Prepared& b) {
 }
 
 /// Its heat as in a run of its own. Returns why it did not converge; "": it did.
-std::string solve(const Prepared& base, const TemperatureField& field, const SpanCourse& course,
-                  ChangedScene& scene, Progress& progress) {
+std::string solve(const Prepared& base, const TemperatureField& field, ChangedScene& scene,
+                  Progress& progress) {
     if (scene.prepared.movement.none() && heat_content(scene.prepared) == heat_content(base)) {
         scene.field = field;
         return "";
@@ -34,9 +34,8 @@ std::string solve(const Prepared& base, const TemperatureField& field, const Spa
     progress.stage(StageId::named, scene.key.empty()
                                        ? "heat balance with all uncertain values changed"
                                        : "heat balance with another " + scene.key);
-    SceneHeat heat =
-        scene_heat(scene.stages, run_inputs(scene.prepared.scene), progress,
-                   base.plan.decisions.heat, {.like = course.piece.empty() ? nullptr : &course});
+    SceneHeat heat = scene_heat(scene.stages, run_inputs(scene.prepared.scene), progress,
+                                base.plan.decisions.heat);
     scene.field = std::move(heat.result.temperature);
     return heat.report.not_converged;
 }
@@ -77,11 +76,11 @@ ChangedScenes uncertain_scenes(const Prepared& base, const SceneWith& scene_with
 }
 
 std::vector<std::string> solve_uncertain(const Prepared& base, const TemperatureField& field,
-                                         const SpanCourse& course, const SceneWith& scene_with,
-                                         ChangedScenes& scenes, Progress& progress) {
+                                         const SceneWith& scene_with, ChangedScenes& scenes,
+                                         Progress& progress) {
     std::vector<std::string> notes;
     const auto solve_one = [&](ChangedScene& scene) {
-        if (std::string why = solve(base, field, course, scene, progress); !why.empty()) {
+        if (std::string why = solve(base, field, scene, progress); !why.empty()) {
             notes.push_back(fmt::format("with another {}: {}",
                                         scene.key.empty() ? "value of each" : scene.key, why));
         }
@@ -103,7 +102,7 @@ std::vector<std::string> solve_uncertain(const Prepared& base, const Temperature
         }
         ChangedScene together("", prepare(scene_with(all)), scenes.front()->stages.shared_store());
         solve_one(together);
-        line += fmt::format("; their sum differs by {:.1g} K rms from the change by all together",
+        line += fmt::format("; their sum differs by {:.2g} K rms from the change by all together",
                             not_added(field, scenes, together.field));
     }
     notes.insert(notes.begin(), std::move(line));

@@ -8,7 +8,6 @@
 #include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/plan/progress.hpp"
 #include "scenes/job/run/stages.hpp"
-#include "thermal/solve/solve_span.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -37,17 +36,17 @@ using ChangedScenes = std::vector<std::unique_ptr<ChangedScene>>;
 ChangedScenes uncertain_scenes(const Prepared& base, const SceneWith& scene_with,
                                const std::shared_ptr<const StageStore>& store);
 
-/// Solves their heat, with the scene's own temperatures as a first guess; not at all where the
-/// value changes nothing that the heat balance takes (scenes/job/store/heat_content.hpp). Returns
-/// by how much each value changes temperatures; how far the sum of the changes is from the change
-/// by all values together, which is solved as well and is the error of adding them; and which heat
-/// balances did not converge: one line each.
+/// Solves their heat, each as in a run of its own, so that the pictures have the same bytes
+/// whether the scene's own heat was solved, kept or taken from another folder; not at all where
+/// the value changes nothing that the heat balance takes (scenes/job/store/heat_content.hpp).
+/// Returns by how much each value changes temperatures; how far the sum of the changes is from the
+/// change by all values together, which is solved as well and is the error of adding them; and
+/// which heat balances did not converge: one line each.
 ///
 /// - base: of the scene itself
 /// - field: its temperatures
-/// - course: of their solution; empty: no first guess
 std::vector<std::string> solve_uncertain(const Prepared& base, const TemperatureField& field,
-                                         const SpanCourse& course, const SceneWith& scene_with,
-                                         ChangedScenes& scenes, Progress& progress);
+                                         const SceneWith& scene_with, ChangedScenes& scenes,
+                                         Progress& progress);
 
 }  // namespace diurna

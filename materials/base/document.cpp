@@ -49,37 +49,54 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
     }
 }
 
-/// Dots part words, but within double quotes: object."truck 1.5".heading_deg.
-std::vector<std::string> words_of(const std::string& path) {
-    std::vector<std::string> words{""};
-    bool quoted = false;
-    for (const char c : path) {
-        if (c == '"') {
-            quoted = !quoted;
-        } else if (c == '.' && !quoted) {
-            words.emplace_back();
-        } else {
-            words.back() += c;
-        }
-    }
-    return words;
+std::string text_of(const toml::table* table, std::string_view key) {
+    const toml::node* text = table != nullptr ? table->get(key) : nullptr;
+    return text != nullptr && text->is_string() ? text->as_string()->get() : "";
 }
 
-std::string name_of(const toml::node& node) {
+/// Its `name`; of a table without one, that of Document::name_tables.
+///
+/// - by: keys that make its name; null: there are none
+std::string name_of(const toml::node& node, const std::string& kind,
+                    const std::vector<std::string>* by) {
     const toml::table* table = node.as_table();
-    const toml::node* name = table != nullptr ? table->get("name") : nullptr;
-    return name != nullptr && name->is_string() ? name->as_string()->get() : "";
+    const std::string name = text_of(table, "name");
+    if (!name.empty() || by == nullptr || table == nullptr) return name;
+    if (by->empty()) return kind;
+    std::string joined;
+    for (const std::string& key : *by) {
+        const std::string text = text_of(table, key);
+        if (text.empty()) return "";
+        joined += (joined.empty() ? "" : "-") + text;
+    }
+    for (char& c : joined) {
+        if (c == ' ' || c == '/' || c == ':') c = '_';
+    }
+    return joined;
+}
+
+/// - kind: the array's key
+std::vector<std::string> names_of(const toml::array& tables, const std::string& kind,
+                                  const DocumentState& state) {
+    const auto by = state.usual_name.find(kind);
+    std::vector<std::string> names;
+    for (const toml::node& table : tables) {
+        names.push_back(name_of(table, kind, by != state.usual_name.end() ? &by->second : nullptr));
+    }
+    return names;
 }
 
 /// What a word of a path leads to: a key of a table; of an array the element of that name or
 /// number. Null where there is none.
-toml::node* inner(toml::node& node, const std::string& word) {
+///
+/// - names: of an array's elements
+toml::node* inner(toml::node& node, const std::string& word,
+                  const std::vector<std::string>& names = {}) {
     if (toml::table* table = node.as_table()) return table->get(word);
     toml::array* array = node.as_array();
     if (array == nullptr) return nullptr;
-    for (toml::node& element : *array) {
-        if (!word.empty() && name_of(element) == word) return &element;
-    }
+    const auto named = std::find(names.begin(), names.end(), word);
+    if (!word.empty() && named != names.end()) return &(*array)[std::size_t(named - names.begin())];
     std::size_t number = 0;
     const char* end = word.data() + word.size();
     const auto [read, error] = std::from_chars(word.data(), end, number);
@@ -87,50 +104,92 @@ toml::node* inner(toml::node& node, const std::string& word) {
     return whole && number < array->size() ? &(*array)[number] : nullptr;
 }
 
-std::vector<std::string> names_of(const toml::array& tables) {
-    std::vector<std::string> names;
-    for (const toml::node& table : tables) names.push_back(name_of(table));
-    return names;
+/// The node at a path; null where there is none.
+toml::node* node_at(DocumentState& state, const KeyPath& path) {
+    toml::node* node = &state.root;
+    for (std::size_t i = 0; i < path.size() && node != nullptr; ++i) {
+        const toml::array* array = node->as_array();
+        node = inner(*node, path[i],
+                     array != nullptr && i > 0 ? names_of(*array, path[i - 1], state)
+                                               : std::vector<std::string>{});
+    }
+    return node;
 }
 
-/// "by name or number: 0 east, 1 west", of many the first.
+/// "by name or number: 0 east, 1 west", of many the first; "by number: 0 to 2" without names.
 std::string reported_names(const std::vector<std::string>& names) {
     constexpr std::size_t most = 8;
+    const bool named =
+        std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+    if (!named) {
+        return names.size() < 2 ? "by number: 0"
+                                : fmt::format("by number: 0 to {}", names.size() - 1);
+    }
     std::string text = "by name or number: ";
     for (std::size_t i = 0; i < names.size() && i < most; ++i) {
-        text += fmt::format("{}{} {}", i > 0 ? ", " : "", i, names[i]);
+        text += fmt::format("{}{} {}", i > 0 ? ", " : "", i,
+                            names[i].empty() ? "without a name" : names[i]);
     }
     return names.size() > most ? text + fmt::format(" ... of {}", names.size()) : text;
+}
+
+/// Of an array of one table, whether a path that omits its name continues in it: `word` is a key.
+bool continues_in_only(toml::array& array, const std::string& word, bool last) {
+    if (array.size() != 1) return false;
+    const toml::table* only = array[0].as_table();
+    return only != nullptr && (last || only->contains(word));
 }
 
 /// The table that a path's last word is a key of; tables that are not there are added.
 std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::string& path,
                                               const std::string& where) {
-    const std::vector<std::string> words = words_of(path);
+    const KeyPath words = key_path(path);
     toml::table* table = &state.root;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         table->insert(words[i], toml::table{});  // does nothing where the key is there
         toml::node* node = table->get(words[i]);
-        if (const toml::array* array = node->as_array(); array != nullptr) {
-            const std::vector<std::string> names = names_of(*array);
-            if (i + 2 >= words.size()) {
+        if (toml::array* array = node->as_array(); array != nullptr) {
+            const std::vector<std::string> names = names_of(*array, words[i], state);
+            const std::string& word = words[i + 1];
+            const bool last = i + 2 >= words.size();
+            toml::node* element = inner(*node, word, names);
+            if (element == nullptr && continues_in_only(*array, word, last)) {
+                node = &(*array)[0];
+            } else if (last) {
                 throw InputError(
                     where,
                     fmt::format("does not name a key of one of '{}', expected {}.NAME.{}", words[i],
                                 words[i], words.back()),
                     reported_names(names));
-            }
-            node = inner(*node, words[++i]);
-            if (node == nullptr) {
-                const std::string hint = did_you_mean(words[i], names);
-                throw InputError(where, fmt::format("unknown {} \"{}\"", words[i - 1], words[i]),
+            } else if (element == nullptr) {
+                const std::string hint = did_you_mean(word, names);
+                throw InputError(where, fmt::format("unknown {} \"{}\"", words[i], word),
                                  hint.empty() ? reported_names(names) : hint);
+            } else {
+                node = element;
+                ++i;
             }
         }
         table = node->as_table();
         if (table == nullptr) throw InputError(where, "'" + words[i] + "' is not a table");
     }
     return {table, words.back()};
+}
+
+/// Files that a copied value names, relative to `folder`, as absolute paths.
+void name_absolutely(toml::node& node, const std::filesystem::path& folder) {
+    if (toml::array* array = node.as_array()) {
+        for (toml::node& one : *array) name_absolutely(one, folder);
+    }
+    toml::table* table = node.as_table();
+    if (table == nullptr) return;
+    for (auto&& [key, value] : *table) {
+        if (toml::value<std::string>* text = value.as_string(); text != nullptr) {
+            if (key.str().ends_with("file")) text->get() = (folder / text->get()).string();
+        } else {
+            name_absolutely(value, folder);
+        }
+    }
 }
 
 /// Throws InputError for more keys or values than memory is for, and for a key of more than a
@@ -193,6 +252,21 @@ std::function<void(std::span<const Key>)>& watcher() {
 
 }  // namespace
 
+KeyPath key_path(const std::string& text) {
+    KeyPath words{""};
+    bool quoted = false;
+    for (const char c : text) {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == '.' && !quoted) {
+            words.emplace_back();
+        } else {
+            words.back() += c;
+        }
+    }
+    return words;
+}
+
 Document::Document(std::shared_ptr<DocumentState> state) : state_(std::move(state)) {}
 
 Document Document::from_file(const std::filesystem::path& file,
@@ -239,10 +313,7 @@ void Document::set(const std::string& setting) {
 }
 
 void Document::move_value(const std::string& from, const std::string& to) {
-    toml::node* value = &state_->root;
-    for (const std::string& word : words_of(from)) {
-        if (value != nullptr) value = inner(*value, word);
-    }
+    toml::node* value = node_at(*state_, key_path(from));
     if (value == nullptr) throw InputError(state_->file, "found no value at " + from);
     const toml::source_region source = value->source();
     const auto [table, key] = table_at(*state_, to, state_->place(source, to));
@@ -251,7 +322,47 @@ void Document::move_value(const std::string& from, const std::string& to) {
     });
 }
 
+void Document::copy_value(const Document& from, const KeyPath& path, const KeyPath& to) {
+    toml::node* value = node_at(*from.state_, path);
+    if (value == nullptr || to.empty()) return;
+    toml::table* table = &state_->root;
+    for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+        table->insert(to[i], toml::table{});
+        table = table->get(to[i])->as_table();
+        if (table == nullptr) return;
+    }
+    const std::filesystem::path folder =
+        std::filesystem::absolute(from.state_->file).lexically_normal().parent_path();
+    value->visit([&](const auto& held) { table->insert_or_assign(to.back(), held); });
+    if (from.state_ != state_) name_absolutely(*table->get(to.back()), folder);
+}
+
 void Document::drop(const std::string& key) { state_->root.erase(key); }
+
+void Document::name_tables(const std::string& key, const std::vector<std::string>& by) {
+    state_->usual_name[key] = by;
+}
+
+bool Document::holds(const KeyPath& path) const { return node_at(*state_, path) != nullptr; }
+
+bool Document::holds_parts(const KeyPath& path) const {
+    const toml::node* node = node_at(*state_, path);
+    return node != nullptr && (node->is_table() || node->is_array());
+}
+
+std::string Document::text_at(const KeyPath& path) const {
+    const toml::node* node = node_at(*state_, path);
+    return node != nullptr && node->is_string() ? node->as_string()->get() : "";
+}
+
+std::vector<std::string> Document::keys_at(const KeyPath& path) const {
+    std::vector<std::string> keys;
+    const toml::node* node = node_at(*state_, path);
+    const toml::table* table = node != nullptr ? node->as_table() : nullptr;
+    if (table == nullptr) return keys;
+    for (const auto& [key, value] : *table) keys.emplace_back(key.str());
+    return keys;
+}
 
 std::string Document::text_without(std::span<const char* const> keys) const {
     toml::table rest = state_->root;

@@ -38,24 +38,29 @@ struct DocumentState {
     Confines confines;
     toml::table root;
     std::vector<Placed> mistakes;
-    std::map<std::string, Table> table;  // by its path: "terrain.rule[0]"
-    std::vector<Key> keys;               // in the order of reading
+    std::map<std::string, Table> table;                          // by its path: "terrain.rule[0]"
+    std::vector<Key> keys;                                       // in the order of reading
+    std::map<std::string, std::vector<std::string>> usual_name;  // Document::name_tables
 
     /// A table [[observer]] by its name: "observer[1]" -> "observer.east", as --set and warnings
-    /// name it. `several`: it is not the only one.
+    /// name it; the only one -> "observer".
     struct Named {
-        std::string path;
-        bool several = false;
+        std::string path;   // with its name; "": it has none
+        std::string alone;  // "": there are several, or it is within another table
     };
     std::map<std::string, Named> by_name;
 
-    /// The path with names instead of numbers; without `always` only of several tables.
+    /// The path with names instead of numbers. Of a table that is the only one, the name is omitted
+    /// unless `always`.
     std::string named(const std::string& path, bool always) const {
         for (std::size_t end = path.rfind(']'); end != std::string::npos && end > 0;
              end = path.rfind(']', end - 1)) {
             const auto found = by_name.find(path.substr(0, end + 1));
-            if (found == by_name.end() || !(always || found->second.several)) continue;
-            return found->second.path + path.substr(end + 1);
+            if (found == by_name.end()) continue;
+            const auto& [name, alone] = found->second;
+            const bool short_form = !alone.empty() && (!always || name.empty());
+            const std::string& shown = short_form ? alone : name;
+            if (!shown.empty()) return shown + path.substr(end + 1);
         }
         return path;
     }

@@ -335,18 +335,21 @@ std::vector<Section> Section::sections_of(const std::string& key,
     const toml::node& node = *node_of(table_, key);
     const toml::array* array = node.as_array();
     if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_table(); })) {
-        mistake(key, fmt::format("found {}, expected tables [[{}]]", shown(node),
-                                 joined_path(path_, key)));
+        const bool only_set = node.is_table() && node.source().begin.line == 0;
+        const std::string path = joined_path(path_, key);
+        mistake(key, only_set ? fmt::format("the file has no table [[{}]] to be changed", path)
+                              : fmt::format("found {}, expected tables [[{}]]", shown(node), path));
         return {};
     }
     const std::vector<std::string> names = names_of_tables(*array);
     std::vector<Section> found;
     for (const toml::node& element : *array) {
         const std::string path = fmt::format("{}[{}]", joined_path(path_, key), found.size());
+        DocumentState::Named& named = state_->by_name[path];
+        if (path_.empty() && array->size() == 1) named.alone = key;
         if (!names.empty()) {
             const std::string all = joined_path(state_->named(path_, true), key);
-            state_->by_name[path] = {joined_path(all, quoted_if_needed(names[found.size()])),
-                                     names.size() > 1};
+            named.path = joined_path(all, quoted_if_needed(names[found.size()]));
         }
         found.push_back(Section(state_, element.as_table(), path, pattern));
     }

@@ -34,6 +34,10 @@ def set_threads(threads: int) -> None:
     _core.set_threads(checks.whole("threads", threads, 0, 1024))
 
 
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
 __all__ = [
     "BandName",
     "Calibration",

@@ -98,8 +98,8 @@ def optional_file(key: str, value: Any) -> str:
     return "" if value is None else file(key, value)
 
 
-def array(key: str, value: Any, low: float, high: float, unit: str) -> Any:
-    """A number or an array of numbers from low to high, as float64 of the same shape."""
+def array(key: str, value: Any, low: float, high: float, unit: str, below: str = "") -> Any:
+    """A number or an array of numbers from low to high, as float64 of the same shape. below: the remedy for a lower number."""
     expected = f"expected numbers from {low:g} to {high:g} {unit}"
     try:
         numbers_of = np.asarray(value, dtype=np.float64)
@@ -108,9 +108,22 @@ def array(key: str, value: Any, low: float, high: float, unit: str) -> Any:
     if isinstance(value, (str, bool)) or value is None:
         raise Error([(key, f"found {described(value)}", expected)])
     outside = numbers_of[~((numbers_of >= low) & (numbers_of <= high))]
-    if outside.size:
-        raise Error([(key, f"found {outside.flat[0]:g}", expected)])
-    return numbers_of
+    if not outside.size:
+        return numbers_of
+    first = outside.flat[0]
+    count = f" and {outside.size - 1} more" if outside.size > 1 else ""
+    remedy = "; leave NaN out: x[numpy.isfinite(x)]" if math.isnan(first) else f"; {below}" if below and first < low else ""
+    raise Error([(key, f"found {first:g}{count}", expected + remedy)])
+
+
+def kelvin(key: str, value: Any) -> Any:
+    """Temperatures [K] of surfaces and the sun, as array() has them."""
+    return array(key, value, 100, 20000, "K", "of degrees Celsius add 273.15")
+
+
+def radiance(key: str, value: Any) -> Any:
+    """Radiances [W m-2 sr-1] of bands, as array() has them."""
+    return array(key, value, 0, 1e12, "W/m2 sr", "no black body has a negative radiance: subtract less, or use numpy.maximum(x, 0)")
 
 
 def progress_callable(key: str, value: Any) -> Any:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -14,7 +13,6 @@ import numpy as np
 from . import _core, checks
 from .errors import Error, NotConverged
 from .figures import time_curves_svg
-from .library import with_library_values
 from .settings import settings_list
 from .studies import Calibration, converged
 from .tables import as_dataset, as_frame, write_csv
@@ -62,15 +60,6 @@ class Column:
         return time_curves_svg(self["time"], {"surface temperature": self["surface_temperature_K"]}, "K")
 
 
-def _file_table(file: str) -> Mapping[str, Any]:
-    """What a TOML file says, {} where it cannot be read: the program reports why."""
-    try:
-        with open(file, "rb") as opened:
-            return tomllib.load(opened)
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError):
-        return {}
-
-
 @contextmanager
 def _column_source(
     job: checks.File | Mapping[str, Any],
@@ -85,19 +74,19 @@ def _column_source(
         given = settings_list(settings)
         text: str | None = None
         if isinstance(job, Mapping):
-            text, file, table = toml_text(job), os.path.abspath("column.toml"), job
+            text, file = toml_text(job), os.path.abspath("column.toml")
         else:
             file = checks.file("job", job)
-            table = _file_table(file)
-        given = with_library_values(table, given, column=True)
         written = [(what, key, one) for (what, key), one in tables.items() if one is not None]
         for what, key, one in written:
             given.append(f'{key}="{write_csv(one, os.path.join(folder, what + ".csv"), what)}"')
         try:
             yield _core.ColumnSource(file, text, given, [folder] if written else [], allow_outside)
         except Error as error:  # places in the temporary files; the rows of a table begin in line 2
-            moved = ((one.where.replace(folder + os.sep, "given "), one.problem, one.hint, one.key) for one in error.mistakes)
-            raise Error(moved) from None
+            moved = error.mistakes
+            if text is not None:  # a dictionary is in no file
+                moved = [one.of_dictionary(file, "job") for one in moved]
+            raise Error((one.where.replace(folder + os.sep, "given "), one.problem, one.hint, one.key) for one in moved) from None
 
 
 def column(

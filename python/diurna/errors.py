@@ -23,6 +23,17 @@ class Mistake(NamedTuple):
     hint: str
     where: str
 
+    def of_dictionary(self, file: str, argument: str) -> Mistake:
+        """The same, of a dictionary that the program has read as the text of `file`, which does not exist: the place is the
+        key path, or the argument where there is none."""
+        at = re.compile(rf"{re.escape(file)}(?::\d+)*(?:: )?")
+        own = self.file == file
+        problem, hint = at.sub("", self.problem), at.sub("", self.hint)
+        if not own:
+            return self._replace(problem=problem, hint=hint)
+        key = self.key or argument
+        return Mistake(None, None, None, key, problem, hint, key)
+
     def __str__(self) -> str:
         return f"{self.where}: {self.problem}" + (f" ({self.hint})" if self.hint else "")
 

@@ -51,19 +51,20 @@ def sun(
 def band_radiance(band: str, temperature_K: Any) -> Any:
     """Radiance of a black body in a band of wavelengths.
 
-    band: as in scenes: "lwir", "8-12" or "8:12" [um], see diurna.bands(); temperature_K: a number or an array, 0 to 20000.
-    Returns [W m-2 sr-1], a float or an array of the same shape. Raises diurna.Error with the argument that is wrong.
+    band: as in scenes: "lwir", "8-12" or "8:12" [um], see diurna.bands(); temperature_K: a number or an array [K], 100 to
+    20000. Returns [W m-2 sr-1], a float or an array of the same shape. Raises diurna.Error with the argument that is wrong: also
+    for NaN and for degrees Celsius.
     """
-    return _core.band_radiance(checks.text("band", band), checks.array("temperature_K", temperature_K, 0, 20000, "K"))
+    return _core.band_radiance(checks.text("band", band), checks.kelvin("temperature_K", temperature_K))
 
 
 def apparent_temperature(band: str, radiance: Any) -> Any:
     """Temperature of the black body that has a radiance in a band of wavelengths.
 
-    band: as in scenes: "lwir", "8-12" or "8:12" [um]; radiance: a number or an array [W m-2 sr-1]. Returns [K], a float or an
-    array of the same shape. Raises diurna.Error with the argument that is wrong.
+    band: as in scenes: "lwir", "8-12" or "8:12" [um]; radiance: a number or an array [W m-2 sr-1], 0 or more. Returns [K], a float
+    or an array of the same shape. Raises diurna.Error with the argument that is wrong: also for NaN and negative radiance.
     """
-    return _core.apparent_temperature(checks.text("band", band), checks.array("radiance", radiance, -1e12, 1e12, "W/m2 sr"))
+    return _core.apparent_temperature(checks.text("band", band), checks.radiance("radiance", radiance))
 
 
 class PathInBand(NamedTuple):

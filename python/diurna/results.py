@@ -47,20 +47,33 @@ class Plan(dict[str, Any]):
         return head + table_html(["what", "computed", "why"], rows)
 
 
-class Temperatures(NamedTuple):
-    """Temperatures of all facets.
+class _TimeAndKelvin(NamedTuple):
+    time: npt.NDArray[np.datetime64]
+    kelvin: npt.NDArray[np.float32]
+
+
+class Temperatures(_TimeAndKelvin):
+    """Temperatures of all facets. A tuple of `time` and `kelvin`, with two more attributes.
 
     `time`: (instant) datetime64 in UTC. `kelvin`: (instant, facet) float32 [K]; facets in the order of
-    `Stepper.facets()`. A notebook shows the mean, lowest and highest curve.
+    `Stepper.facets()`. `material`, `object`: (facet) names as texts; the ground is the object "ground". A notebook shows the
+    mean, lowest and highest curve.
     """
 
     time: npt.NDArray[np.datetime64]
     kelvin: npt.NDArray[np.float32]
+    material: npt.NDArray[np.str_]
+    object: npt.NDArray[np.str_]
 
     def xarray(self) -> Any:
-        """The temperatures as an xarray.DataArray (time, facet) in K, instants in UTC, without a copy. Needs xarray."""
+        """The temperatures as an xarray.DataArray (time, facet) in K, without a copy, with the coordinates `time` (UTC),
+        `material` and `object` (facet): xarray().groupby("material").mean(). Needs xarray."""
         xarray = imported("xarray")
-        coordinates = {"time": self.time.astype("datetime64[ns]")}
+        coordinates = {
+            "time": self.time.astype("datetime64[ns]"),
+            "material": ("facet", self.material, {"long_name": "material of the facet"}),
+            "object": ("facet", self.object, {"long_name": "object or building that the facet belongs to"}),
+        }
         attributes = {"units": "K", "long_name": "surface temperature"}
         return xarray.DataArray(self.kelvin, dims=("time", "facet"), coords=coordinates, name="temperature", attrs=attributes)
 
@@ -84,10 +97,14 @@ def _temperatures_svg(of: Temperatures) -> str:
 def temperatures(file: checks.File) -> Temperatures:
     """Reads temperatures.nc of a run, or a file of `diurna solve`.
 
-    Returns a diurna.Temperatures: instants (datetime64, UTC) and [K] as (instant, facet). Raises diurna.Error for a file that
-    holds no temperatures.
+    Returns a diurna.Temperatures: instants (datetime64, UTC), [K] as (instant, facet), and the facets' materials and objects.
+    Raises diurna.Error for a file that holds no temperatures.
     """
-    return Temperatures(*_core.temperatures(checks.file("file", file)))
+    time, kelvin, material, material_names, objects, object_names = _core.temperatures(checks.file("file", file))
+    found = Temperatures(time, kelvin)
+    found.material = np.array(material_names, np.str_)[material]
+    found.object = np.array(object_names, np.str_)[objects]
+    return found
 
 
 class Run:

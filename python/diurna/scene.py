@@ -10,9 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _core, checks
-from .columns import _file_table
 from .errors import Error, NotConverged, Warning
-from .library import with_library_values
 from .results import Check, Plan, Run
 from .settings import settings_list
 from .stepper import Stepper
@@ -92,8 +90,7 @@ class Scene:
 
     def _given(self, *more: str) -> tuple[str, list[str], bool]:
         """File, settings and confinement as the compiled module takes them."""
-        settings = with_library_values(_file_table(str(self.file)), [*self._settings, *more], column=False)
-        return os.fspath(self.file), settings, self._allow_outside
+        return os.fspath(self.file), [*self._settings, *more], self._allow_outside
 
     def __repr__(self) -> str:
         return f"<diurna.Scene {self.file}>"

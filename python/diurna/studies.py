@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from collections.abc import Callable
 from typing import Any, SupportsIndex, TypeVar, overload
@@ -20,7 +22,7 @@ class Study:
     NAME.json as a dictionary. `svg`: the figure. `text`: the lines that the program prints. `notes`: approximations of this
     study. `curves`: arrays of NAME_curves.csv, None for a study that has none. `texts`: the files, by ending.
 
-    A notebook shows the figure with its curves and the first rows.
+    A notebook shows the figure with its curves and the first rows, both on the clock of the scene with its offset from UTC.
     """
 
     def __init__(self, raw: dict[str, Any]) -> None:
@@ -66,7 +68,8 @@ class Study:
         return self.svg
 
     def _repr_html_(self) -> str:
-        return self.svg + table_html(self.columns, list(zip(*self.columns.values())))
+        header, *rows = csv.reader(io.StringIO(self.texts[".csv"]))  # times on the scene's clock, as in the figure
+        return self.svg + table_html(header, rows)
 
 
 class Studies(list[Study]):

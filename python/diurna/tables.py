@@ -149,9 +149,21 @@ def as_frame(columns: Mapping[str, Any], index: str | None = None) -> Any:
     return frame if index is None else frame.set_index(index)
 
 
+_units = (("_W_m2", "W m-2"), ("_K", "K"), ("_mm", "mm"))
+
+
+def unit_of(name: str) -> str:
+    """The unit that the end of a column's name says, "" for none."""
+    return next((unit for ending, unit in _units if name.endswith(ending)), "")
+
+
 def as_dataset(columns: Mapping[str, Any]) -> Any:
-    """Columns as an xarray.Dataset over `time` (UTC). The unit of a variable is the end of its name."""
+    """Columns as an xarray.Dataset over `time` (UTC). Each variable has its `units`."""
     xarray = imported("xarray")
     time = np.asarray(columns["time"]).astype("datetime64[ns]")
-    variables = {name: ("time", np.asarray(values)) for name, values in columns.items() if name != "time"}
+    variables = {
+        name: ("time", np.asarray(values), {"units": unit} if (unit := unit_of(name)) else {})
+        for name, values in columns.items()
+        if name != "time"
+    }
     return xarray.Dataset(variables, coords={"time": time})

@@ -14,11 +14,8 @@ with tempfile.TemporaryDirectory() as folder:
     # Only one picture, and facets that it does not see may share temperatures within 0.1 K.
     run = scene.run(pathlib.Path(folder) / "out", only="frames=12:00", threads=2, tolerance_K=0.1)
     kelvin = run.temperatures().xarray().load()
-    with scene.stepper() as stepper:
-        facets, names = stepper.facets(), stepper.material_names
 
-# %% Materials as a coordinate, then means by material
-kelvin = kelvin.assign_coords(material=("facet", [names[i] for i in facets["material"]]))
+# %% Means by material, which is a coordinate of the facets
 means: xarray.DataArray = kelvin.groupby("material").mean()
 evening = means.sel(time=slice("2026-07-16T00:00", "2026-07-16T04:00"))  # 20 h to midnight of the clock there
 for material in means["material"].values:

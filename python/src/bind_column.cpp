@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "materials/base/document.hpp"
+#include "materials/matter/library_parts.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/long_call.hpp"
 #include "scenes/studies/calibrate_study.hpp"
@@ -32,7 +32,7 @@ struct ColumnSource {
             confines.folders.push_back(std::filesystem::weakly_canonical(folder));
         Document document = text ? Document::from_text(*text, file.string(), confines)
                                  : Document::from_file(file, confines);
-        for (const std::string& setting : joined(settings, more)) document.set(setting);
+        apply_settings(document, joined(settings, more), MaterialTables::one);
         return read_column_job(document);
     }
 };

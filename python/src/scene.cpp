@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cstdint>
 #include <optional>
 
 #include "materials/base/error.hpp"
@@ -17,7 +18,10 @@
 #include "scenes/job/run/job.hpp"
 #include "scenes/job/store/stage_store.hpp"
 #include "scenes/job/warnings/scene_warnings.hpp"
+#include "scenes/studies/checked_studies.hpp"
+#include "scenes/studies/study_solves.hpp"
 #include "thermal/temperature_field.hpp"
+#include "thermal/temperature_mesh.hpp"
 
 // A scene file: checked, planned, run; the files of its results read.
 
@@ -40,7 +44,10 @@ using Settings = std::vector<std::string>;
 py::dict check(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                const py::object& progress) {
     const CheckedScene checked = result_of_long_call(progress, [&](const ProgressTo&) {
-        return check_scene(read_scene(file, settings, allow_outside), settings, allow_outside);
+        const StudyRequest studies{
+            .scene = file, .settings = settings, .allow_outside = allow_outside};
+        return check_scene(read_scene(file, settings, allow_outside), settings, allow_outside,
+                           [&](const Prepared& prepared) { check_studies(prepared, studies); });
     });
     py::dict out;
     out["facets"] = checked.facets;
@@ -52,12 +59,13 @@ py::dict check(const std::filesystem::path& file, const Settings& settings, bool
 
 py::dict plan_scene(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                     const py::object& progress) {
-    std::string sweep;
+    std::string sweep, studies;
     const Plan plan = result_of_long_call(progress, [&](const ProgressTo&) {
         const Prepared prepared = prepare(read_scene(file, settings, allow_outside));
         if (!prepared.scene.sweep.axes.empty()) {
             sweep = describe(read_sweep_variants(file, settings, allow_outside), prepared.plan);
         }
+        studies = describe(study_solves(prepared.scene), prepared.plan);
         return prepared.plan;
     });
     py::dict out, stages;
@@ -82,7 +90,7 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
     out["stages"] = stages;
     out["decisions"] = decisions;
     out["frames"] = as_datetimes(plan.frames);
-    out["text"] = sweep + describe(plan);
+    out["text"] = sweep + describe(plan) + studies;
     return out;
 }
 
@@ -136,15 +144,28 @@ py::dict sweep_scene(const std::filesystem::path& file, const Settings& settings
 
 py::tuple temperatures(const std::filesystem::path& file) {
     TemperatureField field;
+    TemperatureMesh mesh;
     {
         const RunningCall running;
         const py::gil_scoped_release free;
         field = load_temperature_field(file);
+        mesh = load_temperature_mesh(file);
+    }
+    const auto numbers_of = [](const auto& ids) {
+        std::vector<std::uint32_t> numbers;
+        for (const auto id : ids) numbers.push_back(static_cast<std::uint32_t>(id));
+        return numbers;
+    };
+    // A file that names no material or object has number 0 throughout.
+    for (auto* names : {&mesh.materials, &mesh.objects}) {
+        if (names->empty()) names->emplace_back();
     }
     const auto instants = static_cast<py::ssize_t>(field.instant.size());
     const auto facets = static_cast<py::ssize_t>(field.facets);
     return py::make_tuple(as_datetimes(field.instant),
-                          as_array(std::move(field.kelvin), {instants, facets}));
+                          as_array(std::move(field.kelvin), {instants, facets}),
+                          as_array(numbers_of(mesh.facets.material)), mesh.materials,
+                          as_array(numbers_of(mesh.facets.object)), mesh.objects);
 }
 
 py::dict frame_of(const std::filesystem::path& file, const std::optional<Settings>& planes) {
@@ -174,7 +195,8 @@ void bind_scene(py::module_& module) {
     module.def("sweep_scene", &sweep_scene, "Runs all variants of a scene with [sweep].",
                arg("file"), arg("settings"), arg("allow_outside"), arg("out"), arg("resume"),
                arg("threads"), arg("max_memory_bytes"), arg("progress"));
-    module.def("temperatures", &temperatures, "Instants, and [K] as (instant, facet).",
+    module.def("temperatures", &temperatures,
+               "Instants, [K] as (instant, facet), and numbers and names of materials and objects.",
                arg("file"));
     module.def("frame", &frame_of, "A picture of a run's folder.", arg("file"), arg("planes"));
 }

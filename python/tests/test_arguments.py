@@ -42,7 +42,11 @@ class Arguments(unittest.TestCase):
             self.refused("band", "expected a text", call, 8, good)
             self.refused(key, "expected numbers", call, "8-12", "warm")
             self.refused(key, "expected numbers", call, "8-12", None)
-            self.refused(key, "found nan", call, "8-12", [good, math.nan])
+            self.refused(key, "found nan.*isfinite", call, "8-12", [good, math.nan])
+        for celsius in (0, 27.0, [15.0, 99.0], np.float32(-12)):
+            self.refused("temperature_K", "of degrees Celsius add 273.15", diurna.band_radiance, "8-12", celsius)
+        self.refused("radiance", "found -0.5.*negative", diurna.apparent_temperature, "8-12", -0.5)
+        self.refused("radiance", "and 1 more.*negative", diurna.apparent_temperature, "8-12", [30.0, -1e-9, -2.0])
 
     def test_of_a_path(self):
         self.refused("bands", "8-12", diurna.path, 8, to_space=True)
@@ -60,6 +64,10 @@ class Arguments(unittest.TestCase):
         self.refused("settings", "time.step_s=300", diurna.column, plate, weather(), 3)
         self.refused("allow_outside", "True or False", diurna.column, plate, weather(), allow_outside=1)
         self.refused("material.albedo", "0 to 1", diurna.column, plate, weather(), {"material.albedo": 2.0})
+        self.of_dictionary("material.albedo", {**plate, "material": {**plate["material"], "albedo": 2.0}})
+        self.of_dictionary("material.layers[0].thickness_m", {**plate, "material": {**plate["material"], "layers": [{"thickness_m": -1}]}})
+        self.of_dictionary("facet.slop_deg", {**plate, "facet": {"slop_deg": 3.0}})
+        self.of_dictionary("time", {key: value for key, value in plate.items() if key != "time"})
         self.refused("material.albedo", "0 to 1", diurna.column, plate, weather(), ["material.albedo=light"])
         given = {**plate, "time": {**plate["time"], "start": naive}}
         self.refused("time.start", "tzinfo", diurna.column, given, weather())
@@ -70,6 +78,15 @@ class Arguments(unittest.TestCase):
         given = weather()
         del given["time"]
         self.refused("weather", "column of instants `time`", diurna.column, plate, given)
+
+    def of_dictionary(self, key, job):
+        """The place is the key path: there is no file."""
+        with self.subTest(key), self.assertRaises(diurna.Error) as caught:
+            diurna.column(job, weather())
+        self.assertEqual(caught.exception.key, key)
+        self.assertTrue(str(caught.exception).startswith(f"{key}: "), caught.exception)
+        self.assertNotIn(".toml", str(caught.exception))
+        self.assertIsNone(caught.exception.file)
 
     def test_of_a_scene(self):
         with tempfile.TemporaryDirectory() as folder:

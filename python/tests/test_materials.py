@@ -1,12 +1,14 @@
 """Lists of names, and settings that change a part of a library material."""
 
 import os
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
 
 import diurna
-from diurna.library import library_table, with_library_values
+from diurna.library import library_table
 from test_point import plate
 from test_point import weather as constant_weather
 
@@ -83,11 +85,10 @@ class Parts(unittest.TestCase):
         for name in diurna.materials():
             table = library_table(name)
             self.assertTrue(table["layers"], name)
-            (first, second) = with_library_values(
-                {"material": {"name": name}}, [f"material.layers.0.thickness_m={table['layers'][0]['thickness_m']}"], column=True
-            )
-            self.assertTrue(first.startswith("material.layers=[{"), first)
-            self.assertTrue(second.startswith("material.layers.0."), second)
+            job = {**sky, "material": {"name": name}, "time": {**sky["time"], "end": "2026-06-21T02:00:00Z", "spin_up": "none"}}
+            whole = diurna.column(job, weather())["surface_temperature_K"]
+            again = diurna.column(job, weather(), {"material.layers.0.thickness_m": table["layers"][0]["thickness_m"]})
+            np.testing.assert_array_equal(again["surface_temperature_K"], whole, name)
 
     def test_a_layer_that_is_not_there(self):
         with self.assertRaises(diurna.Error) as caught:
@@ -103,18 +104,12 @@ class Parts(unittest.TestCase):
         found = diurna.calibrate(job, measured, weather())
         self.assertAlmostEqual(found.values["material.layers.0.thickness_m"], 0.03, delta=0.003)
 
-    def test_tables_of_a_scene(self):
-        own = {"road": {"like": "asphalt", "albedo": 0.2}, "asphalt": {"layers": [{"thickness_m": 9.0}]}, "path": {"like": "road"}}
-        self.assertEqual(library_table("road", own)["layers"], [{"thickness_m": 9.0}])  # asphalt is the scene's own
-        self.assertEqual(library_table("path", own)["albedo"], 0.2)
-        self.assertEqual(library_table("grass", own), library_table("grass"))
-        self.assertEqual(library_table("nothing", own), {})
-        given = with_library_values({"material": own}, ['material."grass".layers.1.thickness_m=2'], column=False)
-        self.assertTrue(given[0].startswith("material.grass.layers=[{"), given)
-        given = with_library_values({"material": own}, ["material.asphalt.layers.0.thickness_m=2"], column=False)
-        self.assertEqual(len(given), 1)  # the scene has them itself
-        swept = {"sweep": {"axis": [{"keys": ["material.grass.layers.0.thickness_m"], "values": [[0.1]]}]}}
-        self.assertTrue(with_library_values(swept, [], column=False)[0].startswith("material.grass.layers="))
+    def test_a_misspelt_material_of_a_scene(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = diurna.Scene({}, file=pathlib.Path(folder) / "scene.toml", settings={"material.gras.albedo": 0.2})
+            with self.assertRaisesRegex(diurna.Error, "unknown material \"gras\".*did you mean 'grass'") as caught:
+                scene.check()
+            self.assertEqual(caught.exception.key, "material.gras.albedo")
 
 
 if __name__ == "__main__":

@@ -45,6 +45,9 @@ class Public(unittest.TestCase):
         here = {n for n, v in vars(diurna).items() if not n.startswith("_") and not inspect.ismodule(v)}
         self.assertEqual(here, set(diurna.__all__) - {"__version__"})
 
+    def test_dir_shows_public_names_only(self):
+        self.assertEqual(dir(diurna), sorted(diurna.__all__))
+
     def test_docstrings(self):
         names = [(name, getattr(diurna, name)) for name in diurna.__all__ if name != "__version__"]
         self.assertGreater(len(names), 35)

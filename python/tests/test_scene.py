@@ -241,6 +241,12 @@ class SmallScene(unittest.TestCase):
         self.assertIsInstance(array, xarray.DataArray)
         self.assertEqual(array.dims, ("time", "facet"))
         self.assertEqual(array.attrs["units"], "K")
+        with self.scene.stepper() as stepper:
+            facets, materials, objects = stepper.facets(), stepper.material_names, stepper.object_names
+        for name, names in (("material", materials), ("object", objects)):
+            np.testing.assert_array_equal(array[name].values, [names[i] for i in facets[name]])
+            self.assertEqual(array[name].dims, ("facet",))
+            np.testing.assert_array_equal(getattr(found, name), array[name].values)
         np.testing.assert_array_equal(array.sel(time="2026-06-21T03:00:00").values, found.kelvin[list(found.time).index(np.datetime64("2026-06-21T03:00:00"))])
         self.assertIsInstance(next(self.run_.frames()).xarray(), xarray.Dataset)
 

@@ -69,8 +69,12 @@ Difference difference_of(const SeenRegions& seen, std::size_t pair, std::size_t 
 CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::size_t pair,
                     std::size_t band, const std::vector<Instant>& instant) {
     const std::size_t bands = input.bands.size(), at = 2 * pair * bands + band;
-    CrossoverDay day{
-        .band = input.bands[band], .instant = instant, .first = {}, .second = {}, .crossing = {}};
+    CrossoverDay day{.band = input.bands[band],
+                     .instant = instant,
+                     .first = {},
+                     .second = {},
+                     .crossing = {},
+                     .nearest_at = {}};
     std::vector<double> time, value;
     for (const Instant when : instant) {
         const std::vector<double>& kelvin = seen.apparent(when);
@@ -83,10 +87,17 @@ CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::s
     const Difference difference = difference_of(seen, pair, band, bands, instant.front());
     const std::vector<ZeroCrossing> found = find_crossings(
         time, value, difference, {.width = found_to, .touching = input.touching, .jumping = jump});
-    day.worst_least = std::abs(value.front());
-    for (const double v : value) day.worst_least = std::min(day.worst_least, std::abs(v));
+    const auto nearest = std::min_element(
+        value.begin(), value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    day.nearest = *nearest;
+    day.nearest_at = instant[std::size_t(nearest - value.begin())];
+    day.worst_least = std::abs(day.nearest);
     for (const ZeroCrossing& one : found) {
-        day.worst_least = std::min(day.worst_least, std::abs(one.least));
+        if (std::abs(one.least) < day.worst_least) {
+            day.worst_least = std::abs(one.least);
+            day.nearest = one.least;
+            day.nearest_at = later(instant.front(), one.at);
+        }
         day.crossing.push_back({.when = later(instant.front(), one.at),
                                 .kind = one.kind,
                                 .first_warmer_after = one.kind == ZeroCrossing::Kind::touches
@@ -144,9 +155,9 @@ void follow(const SeenRegions& seen, const CrossoverGroup& group,
 
 }  // namespace
 
-void check_crossovers(const Study& study, const SceneWith& scene_with) {
-    const Scene& scene = study.scene();
-    const Prepared& prepared = study.stages().scene();
+void check_crossovers(const Prepared& prepared, const SceneWith& scene_with) {
+    const Scene& scene = prepared.scene;
+    std::vector<Mistake> mistakes;
     for (const CrossoverInput& input : scene.crossovers) {
         if (!prepared.movement.none() || prepared.sequences[input.observer].goes) {
             throw InputError(
@@ -157,9 +168,12 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
                                              : "moving objects"));
         }
         for (const UncertainInput& one : input.uncertain) {
-            scene_with_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);
+            const auto found =
+                mistake_with(scene_with, {setting(one.key, one.one_sigma)}, one.where);
+            if (found) mistakes.push_back(*found);
         }
     }
+    if (!mistakes.empty()) throw InputError(std::move(mistakes));
     for (const CrossoverGroup& group : groups(scene.crossovers)) {
         filled_pixels(prepared, group.observer, regions_of(group, scene.crossovers),
                       scene.observers[group.observer].samples);

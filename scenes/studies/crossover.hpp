@@ -35,6 +35,8 @@ struct CrossoverDay {
     std::vector<TimedCrossing> crossing;
     double lost = 0.0;         // [s] with less contrast than the threshold
     double worst_least = 0.0;  // [K] the smallest contrast of all instants
+    double nearest = 0.0;      // [K] the same with its sign, first minus second
+    Instant nearest_at{};      // when, to the step of the heat balance
 };
 
 struct CrossoverReport {
@@ -54,6 +56,6 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
 
 /// Throws InputError if one of them is invalid, a region fills no pixel, or an uncertain number is
 /// not in the scene: before anything is solved.
-void check_crossovers(const Study& study, const SceneWith& scene_with);
+void check_crossovers(const Prepared& prepared, const SceneWith& scene_with);
 
 }  // namespace diurna

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scenes/charts/clock_names.hpp"
 #include "scenes/studies/band_words.hpp"
 #include "scenes/studies/study_files.hpp"
 #include "terrain/place/local_time.hpp"
@@ -38,6 +39,15 @@ std::string cell(const std::optional<double>& value, const char* format = "{:.1f
 
 OrderedJson or_null(const std::optional<double>& value) {
     return value ? OrderedJson(*value) : OrderedJson(nullptr);
+}
+
+/// Of a band without a crossing; null where one is.
+OrderedJson warmer_throughout(const CrossoverInput& input, const CrossoverDay& day) {
+    const bool crosses = std::any_of(day.crossing.begin(), day.crossing.end(), [](const auto& one) {
+        return one.kind != ZeroCrossing::Kind::touches;
+    });
+    if (crosses) return nullptr;
+    return day.nearest > 0.0 ? input.first.name : input.second.name;
 }
 
 }  // namespace
@@ -111,6 +121,10 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
         "apparent temperature of the first region minus that of the second: the black-body "
         "temperature of the mean radiance over the pixels that the region alone fills, atmosphere "
         "included";
+    json["nearest"] =
+        "nearest_difference_K: the difference of the smallest magnitude, at nearest_time; "
+        "warmer_throughout: the warmer region of a band without a crossing, else null";
+    json["times"] = fmt::format("clock of the scene, {}", clock_zone(utc_offset));
     json["sigma"] =
         "sigma_s: one standard deviation (68 %) of the time, the root sum square of the shifts; "
         "shift_s: the change of the time with one number at its one_sigma, a standard deviation "
@@ -138,6 +152,9 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
              {"hours", seconds_between(day.instant.front(), day.instant.back()) / 3600.0},
              {"hours_below_threshold", day.lost / 3600.0},
              {"least_contrast_K", day.worst_least},
+             {"nearest_difference_K", day.nearest},
+             {"nearest_time", format_local(day.nearest_at, utc_offset)},
+             {"warmer_throughout", warmer_throughout(input, day)},
              {"crossings", crossings}});
     }
     json["uncertain"] = OrderedJson::array();
@@ -177,7 +194,8 @@ std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& re
                                    .y = {edge, edge},
                                    .dashed = true});
         }
-        ChartRow row{.name = "crossings", .colour = "#2166ac", .event = {}};
+        ChartRow row{
+            .name = "crossings, " + clock_zone(utc_offset), .colour = "#2166ac", .event = {}};
         for (const TimedCrossing& one : day.crossing) {
             const std::string when = format_local(one.when, utc_offset).substr(0, 16);
             row.event.emplace_back(hours(one.when), when.substr(11));

@@ -10,6 +10,7 @@
 #include "scenes/job/run/picture_shares.hpp"
 #include "scenes/studies/band_words.hpp"
 #include "scenes/studies/crossover_files.hpp"
+#include "scenes/studies/study_solves.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -53,8 +54,10 @@ std::string reported(const CrossoverInput& input, const CrossoverReport& report,
             input.name, band_words(day.band), input.first.name, input.second.name,
             report.first_pixels, report.second_pixels, input.threshold, day.lost / 3600.0, hours);
         if (day.crossing.empty()) {
-            text += fmt::format("  no crossover: smallest difference {:.2f} K{}\n", day.worst_least,
-                                without_effect(input));
+            text += fmt::format(
+                "  no crossover: {} is warmer throughout; smallest difference {:.2f} K at {}{}\n",
+                day.nearest > 0.0 ? input.first.name : input.second.name, day.worst_least,
+                format_local(day.nearest_at, utc_offset), without_effect(input));
         }
         for (const TimedCrossing& one : day.crossing) text += reported(input, one, utc_offset);
     }
@@ -93,7 +96,8 @@ StudyFindings crossover_study(const StudyRequest& request) {
     const Scene& scene = study.scene();
     check_asked(request, scene, "crossover", names_of(scene.crossovers), "_curves");
     const SceneWith scene_with = request.scene_with();
-    check_crossovers(study, scene_with);
+    study.count_solves(solves_of(study_solves(scene), "crossover"));
+    check_crossovers(study.stages().scene(), scene_with);
     // A shift is the difference to another solution: both then have all facets solved.
     const bool shifts =
         std::any_of(scene.crossovers.begin(), scene.crossovers.end(),

@@ -42,8 +42,10 @@ OtherScene::OtherScene(Scene scene, Study& study, const TemperatureField& base, 
     : OtherScene(std::move(scene), study, GivenTemperatures{}) {
     if (heat_content(prepared) == study.content()) {
         base_ = &base;
+        study.skip_solve();
         return;
     }
+    study.next_solve();
     const SpanCourse& course = study.course();
     SpanResult result =
         solve_scene(stages, study.progress(), {},

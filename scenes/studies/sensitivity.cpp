@@ -199,17 +199,22 @@ void add_combined(const SensitivityInput& input, SensitivityReport& report) {
 
 }  // namespace
 
-void check_sensitivity(const Study& study, const SensitivityInput& input,
+void check_sensitivity(const Prepared& prepared, const SensitivityInput& input,
                        const SceneWith& scene_with) {
-    for (const SensitivityOutput& output : input.outputs) {
-        check_output(study.stages().scene(), output);
-    }
+    for (const SensitivityOutput& output : input.outputs) check_output(prepared, output);
+    std::vector<Mistake> mistakes;
     for (const RangedInput& one : input.uncertain) {
-        scene_with_settings(scene_with, {setting(one.key, one.low)}, one.where);
-        scene_with_settings(scene_with, {setting(one.key, one.high)}, one.where);
+        for (const double value : {one.low, one.high}) {
+            const auto found = mistake_with(scene_with, {setting(one.key, value)}, one.where);
+            if (!found) continue;
+            mistakes.push_back(*found);
+            break;
+        }
     }
-    for (const std::vector<double>& point : design_of(input, study.scene()).point) {
-        scene_with_settings(scene_with, settings_at(input, point), input.where);
+    if (!mistakes.empty()) throw InputError(std::move(mistakes));
+    for (const std::vector<double>& point : design_of(input, prepared.scene).point) {
+        const auto found = mistake_with(scene_with, settings_at(input, point), input.where);
+        if (found) throw InputError({*found});
     }
 }
 

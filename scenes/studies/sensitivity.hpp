@@ -48,7 +48,7 @@ struct SensitivityReport {
 
 /// Throws InputError if something moves, a region fills no pixel or has no facet, or values to be
 /// tried are invalid: before anything is solved.
-void check_sensitivity(const Study& study, const SensitivityInput& input,
+void check_sensitivity(const Prepared& prepared, const SensitivityInput& input,
                        const SceneWith& scene_with);
 
 /// - field: temperatures of the unchanged scene, stored at every step

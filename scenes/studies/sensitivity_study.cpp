@@ -7,6 +7,7 @@
 
 #include "materials/base/plain_text.hpp"
 #include "scenes/studies/sensitivity_files.hpp"
+#include "scenes/studies/study_solves.hpp"
 
 namespace diurna {
 
@@ -57,8 +58,9 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
     const Scene& scene = study.scene();
     check_asked(request, scene, "sensitivity", names_of(scene.sensitivities));
     const SceneWith scene_with = request.scene_with();
+    study.count_solves(solves_of(study_solves(scene), "sensitivity"));
     for (const SensitivityInput& input : scene.sensitivities) {
-        check_sensitivity(study, input, scene_with);
+        check_sensitivity(study.stages().scene(), input, scene_with);
     }
     const TemperatureField field = study.whole_heat("");
     StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};

@@ -89,7 +89,15 @@ TemperatureField Study::whole_heat(const std::filesystem::path& file) {
     return solve();
 }
 
+void Study::next_solve() {
+    ++solve_;
+    if (solves_ < 2) return;
+    progress_.part(solve_ <= solves_ ? fmt::format("solve {} of {}", solve_, solves_)
+                                     : fmt::format("solve {}", solve_));
+}
+
 TemperatureField Study::solve() {
+    next_solve();
     constexpr double most_bytes = 1e9;
     const TimeInput& time = scene().time;
     const double bytes = sizeof(float) * double(prepared_.world.surfaces().size()) *
@@ -99,10 +107,12 @@ TemperatureField Study::solve() {
     course_ = std::move(result.course);
     not_converged_ = diurna::not_converged(result.report);
     notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
+    if (!result.start.empty()) notes_.push_back("start: " + result.start);
     return std::move(result.temperature);
 }
 
 TemperatureField Study::taken(GivenHeat given) {
+    skip_solve();
     notes_.insert(notes_.end(), given.warnings.begin(), given.warnings.end());
     return std::move(given.field);
 }

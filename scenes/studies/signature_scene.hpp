@@ -30,6 +30,12 @@ class Study {
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }
     Progress& progress() { return progress_; }
+    /// Counts the solves of the heat balance for progress: "solve 3 of 8". `total` includes that of
+    /// the scene itself.
+    void count_solves(std::size_t total) { solves_ = total; }
+    /// Another one begins, or is not needed.
+    void next_solve();
+    void skip_solve() { ++solve_; }
     /// Stages that its variants share.
     const std::shared_ptr<const StageStore>& store() const { return store_; }
     /// heat_content() of its scene.
@@ -63,7 +69,8 @@ class Study {
     Prepared prepared_;
     std::shared_ptr<const StageStore> store_;
     Stages stages_;
-    std::string content_{};  // "": not computed yet
+    std::size_t solves_ = 0, solve_ = 0;  // in all, and the number of the present one
+    std::string content_{};               // "": not computed yet
     SpanCourse course_{};
     std::vector<std::string> notes_;
     std::string not_converged_;

@@ -107,6 +107,41 @@ TEST_CASE("a setting finds one of several tables by name or number",
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye.west.height"));
 }
 
+TEST_CASE("a setting needs no name for the only table of its kind",
+          "[materials][document][own_keys]") {
+    Document document =
+        Document::from_text("[[eye]]\nwidth = 1\n[eye.lid]\nwidth = 2\n", "hill.toml");
+    document.set("eye.width=20");
+    document.set("eye.lid.width=30");
+    CHECK_THROWS_WITH(document.set("eye.left.width=1"), Catch::Contains("unknown eye \"left\""));
+    const Section eye = document.root().sections("eye", "an eye").front();
+    CHECK(eye.number("width", "of it") == 20.0);
+    CHECK(eye.section("lid", "its lid").number("width", "of it") == 30.0);
+    document.set("eye.height=tall");
+    eye.number("height", "of it");
+    CHECK_THROWS_WITH(document.finish(), Catch::Contains("--set eye.height: "));
+    Document none = Document::from_text("", "hill.toml");
+    none.set("eye.east.width=1");
+    none.root().sections("eye", "an eye");
+    CHECK_THROWS_WITH(none.finish(), Catch::Contains("no table [[eye]] to be changed"));
+}
+
+TEST_CASE("a setting finds tables without a name by the name that the program gives them",
+          "[materials][document][own_keys]") {
+    Document document = Document::from_text(
+        "[[pair]]\nfirst = \"truck\"\nsecond = \"the yard\"\n[[pair]]\nname = \"own\"\n"
+        "[[look]]\nwidth = 1\n",
+        "hill.toml");
+    document.name_tables("pair", {"first", "second"});
+    document.name_tables("look", {});
+    document.set("pair.truck-the_yard.limit=3");
+    document.set("look.look.width=2");
+    CHECK(document.holds({"pair", "0", "limit"}));
+    CHECK_FALSE(document.holds({"pair", "1", "limit"}));
+    CHECK_THROWS_WITH(document.set("pair.truck.limit=3"),
+                      Catch::Contains("0 truck-the_yard, 1 own"));
+}
+
 TEST_CASE("mistakes name one of several tables by its name, as settings do",
           "[materials][document][own_keys]") {
     const auto reported = [](const std::string& text) {
@@ -130,8 +165,10 @@ TEST_CASE("mistakes name one of several tables by its name, as settings do",
               .find("hill.toml:6:9: eye.\"north wall\".width: ") == 0);
     CHECK(reported(east + west + "\"west\"\nwidth = 1\nlid = [{ width = \"x\" }]\n")
               .find("eye.west.lid[0].width: ") != std::string::npos);
-    // By number: a table alone, names that are the same, tables without names.
-    CHECK(reported("[[eye]]\nname = \"east\"\nwidth = \"x\"\n").find(": eye[0].width: ") !=
+    // The only one needs no name. By number: names that are the same, tables without names.
+    CHECK(reported("[[eye]]\nname = \"east\"\nwidth = \"x\"\n").find(": eye.width: ") !=
+          std::string::npos);
+    CHECK(reported("[[eye]]\nwidth = 1\nlid = [{ width = \"x\" }]\n").find("eye.lid[0].width: ") !=
           std::string::npos);
     CHECK(reported(east + west + "\"east\"\nwidth = \"x\"\n").find(": eye[1].width: ") !=
           std::string::npos);

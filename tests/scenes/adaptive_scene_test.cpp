@@ -61,7 +61,7 @@ TEST_CASE("a scene requests adaptive sampling", "[scenes][adaptive]") {
                Catch::Contains("adaptive.tolerance_K"));
     CHECK_THAT(SampledScene("adaptive = { least = 4 }").mistake(), Catch::Contains("unknown key"));
     CHECK_THAT(SampledScene("samples = 16\nadaptive = { from = 16 }").mistake(),
-               Catch::Contains("observer[0].samples"));
+               Catch::Contains("observer.samples"));
 }
 
 TEST_CASE("a job samples as its tolerance requires", "[scenes][adaptive]") {

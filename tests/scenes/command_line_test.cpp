@@ -109,7 +109,7 @@ TEST_CASE("a scene that cannot be used writes nothing", "[command_line]") {
                    empty.string()),
               "empty.tif"},
              {with(small_scene(), "place_m = [2000.0, 1100.0]", "place_m = [2e6, 0.0]"),
-              ":39:11: observer[0].place_m: east 2e+06 m"},
+              ":39:11: observer.place_m: east 2e+06 m"},
              {with(small_scene(), "latitude_deg = 36.32", "latitude_deg = 12.0"), "12.0"},
              {small_scene().substr(0, small_scene().find("[[observer]]")), "[[observer]]"},
          }) {

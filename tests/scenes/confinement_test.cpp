@@ -26,10 +26,10 @@ struct NamingKey {
 const std::vector<NamingKey> naming_keys = {
     {"terrain.elevation", ".asc", [](const std::string& n) { return More{.elevation = n}; }},
     {"weather.file", ".csv", [](const std::string& n) { return More{.weather = n}; }},
-    {"object[0].mesh", ".obj", [](const std::string& n) { return More{.mesh = n}; }},
-    {"object[0].part_file", ".toml",
+    {"object.mesh", ".obj", [](const std::string& n) { return More{.mesh = n}; }},
+    {"object.part_file", ".toml",
      [](const std::string& n) { return More{.object = "part_file = \"" + n + "\"\n"}; }},
-    {"object[0].copies_file", ".csv",
+    {"object.copies_file", ".csv",
      [](const std::string& n) {
          More more{.object = "copies_file = \"" + n + "\"\n"};
          return more;
@@ -45,7 +45,7 @@ const std::vector<NamingKey> naming_keys = {
      [](const std::string& n) {
          return More{.tables = "[[shapes]]\nfile = \"" + n + "\"\nmaterial = \"concrete\"\n"};
      }},
-    {"texture[0].file", ".asc",
+    {"texture.file", ".asc",
      [](const std::string& n) {
          return More{.tables = "[[texture]]\nname = \"spots\"\nmetres_per_texel = 1.0\nfile = \"" +
                                n + "\"\n"};
@@ -54,7 +54,7 @@ const std::vector<NamingKey> naming_keys = {
      [](const std::string& n) { return More{.atmosphere = "table = \"" + n + "\"\n"}; }},
     {"atmosphere.sounding", ".csv",
      [](const std::string& n) { return More{.atmosphere = "sounding = \"" + n + "\"\n"}; }},
-    {"trajectory[0].file", ".csv",
+    {"trajectory.file", ".csv",
      [](const std::string& n) {
          return More{.tables = "[[trajectory]]\nname = \"way\"\nfile = \"" + n +
                                "\"\nstart = 2026-07-15T00:00:00-04:00\n"};
@@ -85,11 +85,11 @@ const std::vector<NamingKey> naming_keys = {
                          "file = \"" +
                          n + "\" }\n"};
      }},
-    {"bands[0].response", ".csv",
+    {"bands.response", ".csv",
      [](const std::string& n) {
          return More{.tables = "[[bands]]\nname = \"mine\"\nresponse = \"" + n + "\"\n"};
      }},
-    {"plume[0].absorption", ".csv",
+    {"plume.absorption", ".csv",
      [](const std::string& n) {
          return More{.tables =
                          "[[plume]]\nname = \"smoke\"\nplace_m = [5.0, 5.0]\nheight_m = 3.0\n"

@@ -91,7 +91,8 @@ bands = ["8-12"]
 refined = false
 )");
     Study study(scene_of_text(folder, text), ProgressStyle::silent);
-    check_crossovers(study, [](const std::vector<std::string>&) -> Scene { throw "none"; });
+    check_crossovers(study.stages().scene(),
+                     [](const std::vector<std::string>&) -> Scene { throw "none"; });
     const TemperatureField field = two_days(study.stages().scene());
     const CrossoverAnswer answer = crossovers_of(
         study, field, [](const std::vector<std::string>&) -> Scene { throw "none is asked for"; });

@@ -74,6 +74,39 @@ TEST_CASE("inspect distinguishes text files and suggests the next command", "[sc
     }
 }
 
+TEST_CASE("inspect reads weather of other names and separators, and says how",
+          "[scenes][inspect]") {
+    const ScratchFolder folder("inspect_foreign");
+    for (const auto& [name, text] : std::map<std::string, std::string>{
+             {"semicolons.csv",
+              "time_utc;Temp (C);wind (km/h)\n2026-07-15T12:00;20,5;3,6\n"
+              "2026-07-15T13:00;21,5;7,2\n"},
+             {"tabs.txt",
+              "time_utc\tTemp (C)\twind (km/h)\n2026-07-15T12:00\t20.5\t3.6\n"
+              "2026-07-15T13:00\t21.5\t7.2\n"},
+             {"blanks.csv",
+              "time_utc  Temp_C  wind_km/h\n2026-07-15T12:00  20.5 3.6\n"
+              "2026-07-15T13:00  21.5 7.2\n"}}) {
+        write_text(folder.path / name, text);
+        const Ran reported = inspected(folder.path / name);
+        CAPTURE(name, reported.out);
+        CHECK(reported.code == 0);
+        CHECK(reported.out.find("weather") == 0);
+        CHECK(reported.out.find("rows: 2") != std::string::npos);
+        CHECK(reported.out.find("air_temperature degC") != std::string::npos);
+        CHECK(reported.out.find("wind_speed_m_s") != std::string::npos);
+        CHECK(reported.out.find("294.65") != std::string::npos);
+    }
+    write_text(folder.path / "other.csv", "Zeit;Luft;Wind (m/s)\n1;2;3\n");
+    const Ran reported = inspected(folder.path / "other.csv");
+    CAPTURE(reported.out);
+    CHECK(reported.code == 2);
+    CHECK(std::count(reported.out.begin(), reported.out.end(), '\n') == 1);
+    CHECK(reported.out.find("'Zeit', 'Luft', 'Wind (m/s)'") != std::string::npos);
+    CHECK(reported.out.find("air_temperature_K") != std::string::npos);
+    CHECK(reported.out.find("\"wind_speed m/s\"") != std::string::npos);
+}
+
 TEST_CASE("what inspect does not know gets one line and code 2", "[scenes][inspect]") {
     const ScratchFolder folder("inspect_unknown");
     for (const auto& [name, text] :

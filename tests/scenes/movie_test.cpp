@@ -93,6 +93,25 @@ TEST_CASE("a movie's pictures come in order on one scale", "[scenes][movie]") {
     CHECK((picture[0] != picture[1]));
 }
 
+TEST_CASE("a movie of a display has its pictures unchanged and in order", "[scenes][movie]") {
+    const RunFolder folder;
+    folder.ffmpeg("cat > \"$last\"");
+    const Ran none = movie(folder.bin, false, folder.argument() + " --display");
+    CHECK(none.code == 2);
+    CHECK(none.out.find("found no folder instrument") != std::string::npos);
+    fs::create_directories(folder.run / "instrument");
+    for (const char* day : {"12", "10", "11"}) {
+        const std::string base = fmt::format("east_8-12_202607{}T000000Z", day);
+        write_text(folder.run / "instrument" / (base + "_display.png"), fmt::format("[{}]", day));
+        write_text(folder.run / "instrument" / (base + ".png"), "counts");
+    }
+    const Ran ran = movie(folder.bin, false, folder.argument() + " --display");
+    INFO(ran.out);
+    REQUIRE(ran.code == 0);
+    CHECK(ran.out.find("3 pictures, display from 0 to 255 grey levels") != std::string::npos);
+    CHECK(read_text(folder.run / "east_8-12_display.mp4") == "[10][11][12]");
+}
+
 TEST_CASE("without ffmpeg, or where it fails, there is an error and no movie", "[scenes][movie]") {
     const RunFolder folder;
     Ran ran = movie(folder.bin, true, folder.argument());

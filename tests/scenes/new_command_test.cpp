@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -60,6 +61,37 @@ TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][ne
     CHECK(scene.time.start == parse_instant("2024-03-10T00:00:00-06:00"));
     CHECK(scene.time.duration == 86400.0);
     CHECK(scene.site->latitude_deg == Approx(36.30));
+}
+
+TEST_CASE("a first scene declares the columns of a foreign weather file", "[scenes][new]") {
+    const ScratchFolder folder("new_foreign");
+    const fs::path reported = folder.path / "told.txt", file = folder.path / "station.csv";
+    std::string weather = "Date Time (UTC);Temp (°C);RH (%);Battery (V)\n";
+    for (int h = 0; h < 72; ++h) {
+        weather += fmt::format("2024-03-{:02} {:02}:00;{},5;{};12,1\n", 10 + h / 24, h % 24, h % 24,
+                               40 + h % 24);
+    }
+    write_text(file, weather);
+    const std::string begin = "new '" + (folder.path / "place").string() + "' --dem '" + elevation +
+                              "' --at 36.30,-84.25 --weather '";
+    REQUIRE(verb(begin + file.string() + "'", reported) == 0);
+    CAPTURE(read_text(reported));
+    CHECK(read_text(reported).find("'Temp (°C)' = \"air_temperature degC\"") != std::string::npos);
+    const std::string scene = read_text(folder.path / "place/scene.toml");
+    CHECK(scene.find("'Date Time (UTC)' = \"time UTC\"") != std::string::npos);
+    CHECK(verb("check '" + (folder.path / "place/scene.toml").string() + "'", reported) == 0);
+    CHECK(verb("inspect '" + file.string() + "'", reported) == 0);
+    CHECK(read_text(reported).find("relative_humidity %") != std::string::npos);
+    // A unit that nobody knows: one line, nothing written.
+    fs::remove_all(folder.path / "place");
+    write_text(file, "stamp;Temp;RH\n2024-03-10T00:00Z;3;50\n");
+    CHECK(verb(begin + file.string() + "'", reported) == 2);
+    const std::string line = read_text(reported);
+    CAPTURE(line);
+    CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+    CHECK(line.find("found the columns 'stamp', 'Temp', 'RH'") != std::string::npos);
+    CHECK(line.find("Temp = \"air_temperature UNIT\"") != std::string::npos);
+    CHECK(!fs::exists(folder.path / "place"));
 }
 
 TEST_CASE("a first scene takes the day of a year's file nearest to its date", "[scenes][new]") {

@@ -72,14 +72,14 @@ TEST_CASE("mistakes in bands and cubes are reported", "[scenes][bands]") {
         return found[0].line();
     };
     CHECK_THAT(one("\"camera\", \"window\"", "\"camra\", \"window\""),
-               Catch::Contains("observer[0].bands") && Catch::Contains("did you mean 'camera'"));
+               Catch::Contains("observer.bands") && Catch::Contains("did you mean 'camera'"));
     CHECK_THAT(one("cubes = [\"lines\"]", "cubes = [\"line\"]"),
-               Catch::Contains("observer[0].cubes") && Catch::Contains("did you mean 'lines'"));
+               Catch::Contains("observer.cubes") && Catch::Contains("did you mean 'lines'"));
     CHECK_THAT(one("camera.csv", "nowhere.csv"), Catch::Contains("bands.camera.response"));
     CHECK_THAT(one("range_um = [9.0, 11.0]", "range_um = [11.0, 9.0]"),
-               Catch::Contains("cubes[0].range_um"));
+               Catch::Contains("cubes.range_um"));
     CHECK_THAT(one("channels = 8", "chanels = 8"), Catch::Contains("unknown key"));
-    CHECK_THAT(one("channels = 8", "channels = 0"), Catch::Contains("cubes[0].channels"));
+    CHECK_THAT(one("channels = 8", "channels = 0"), Catch::Contains("cubes.channels"));
     CHECK_THAT(one("[[cubes]]", "[[bands]]\nname = \"window\"\nrange_um = [9.5, 11.0]\n[[cubes]]"),
                Catch::Contains("a second"));
 }

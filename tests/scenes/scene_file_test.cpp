@@ -55,14 +55,14 @@ TEST_CASE("mistakes of a scene carry place, expectation and the nearest word",
 
     found = mistakes_of(with(small_scene(), "\"asphalt\"", "\"asfalt\""));
     REQUIRE(found.size() == 1);
-    CHECK(found[0].where.find(":17:12: ground[0].material") != std::string::npos);
+    CHECK(found[0].where.find(":17:12: ground.material") != std::string::npos);
     CHECK(found[0].problem == "unknown material \"asfalt\"");
     CHECK(found[0].hint == "did you mean 'asphalt'? `diurna materials` lists the library");
 
     found = mistakes_of(with(with(small_scene(), "width = 64", "width = 0"), "\"3-5\"", "\"5-3\""));
     REQUIRE(found.size() == 2);
-    CHECK(found[0].where.find("observer[0].width") != std::string::npos);
-    CHECK(found[1].where.find("observer[0].bands") != std::string::npos);
+    CHECK(found[0].where.find("observer.width") != std::string::npos);
+    CHECK(found[1].where.find("observer.bands") != std::string::npos);
 }
 
 TEST_CASE("a scene without observer, elevation or weather says so in one line each",
@@ -108,7 +108,7 @@ TEST_CASE("no pixel looks round the back of the sphere", "[scenes][scene_file]")
     // 360 degrees on 640 columns are 320 rows from pole to pole.
     const std::string tall = reported(
         "projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 512\n");
-    CHECK(tall.find("observer[0].height: the rows of the panorama span 288 degrees") !=
+    CHECK(tall.find("observer.height: the rows of the panorama span 288 degrees") !=
           std::string::npos);
     CHECK(tall.find("height = 320") != std::string::npos);
     CHECK(reported(

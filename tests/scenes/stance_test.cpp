@@ -209,9 +209,9 @@ TEST_CASE("stands and angles that contradict one another are refused", "[scenes]
         }
         return std::string();
     };
-    CHECK(mistake("stands = \"on_slope\"\npitch_deg = 3.0").find("object[0].stands") !=
+    CHECK(mistake("stands = \"on_slope\"\npitch_deg = 3.0").find("object.stands") !=
           std::string::npos);
-    CHECK(mistake("stands = \"on_slope\"\nheight_above_sea_m = 503.0").find("object[0].stands") !=
+    CHECK(mistake("stands = \"on_slope\"\nheight_above_sea_m = 503.0").find("object.stands") !=
           std::string::npos);
     CHECK(mistake("pitch_deg = 91.0").find("pitch_deg") != std::string::npos);
 }

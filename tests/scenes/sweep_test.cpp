@@ -388,14 +388,14 @@ TEST_CASE("mistakes of a sweep are reported with their place", "[scenes][sweep]"
         return file + ":" + std::to_string(count) + line;
     };
     std::string reported = lines_of(folder, axis("building.hangar.roof", "[\"painted_stel\"]"));
-    CHECK(reported.starts_with(place(":11: building[0].roof: unknown material \"painted_stel\"")));
+    CHECK(reported.starts_with(place(":11: building.roof: unknown material \"painted_stel\"")));
     reported = lines_of(folder, axis("observer.east.hieght_above_ground_m", "[1.0, 2.0]"));
-    CHECK(reported.starts_with(place(":11: observer[0].hieght_above_ground_m: unknown key")));
+    CHECK(reported.starts_with(place(":11: observer.hieght_above_ground_m: unknown key")));
     CHECK(std::count(reported.begin(), reported.end(), '\n') == 1);
     reported = lines_of(folder, axis("observer.west.samples", "[1, 2]"));
     CHECK(reported.find("unknown observer \"west\"") != std::string::npos);
     reported = lines_of(folder, axis("observer.east.samples", "[4, -1]"));
-    CHECK(reported.starts_with(place(":14: observer[0].samples: found -1")));
+    CHECK(reported.starts_with(place(":14: observer.samples: found -1")));
     CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("cannot change a sweep") !=
           std::string::npos);
     CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are only 2") !=
@@ -426,7 +426,7 @@ TEST_CASE("eyes of every value are placed before anything is run", "[scenes][swe
         REQUIRE(error.mistakes().size() == 1);
         const std::string where = error.mistakes().front().where;
         CAPTURE(where);
-        CHECK(where.find(":23: observer[0].place_m") != std::string::npos);  // of the second
+        CHECK(where.find(":23: observer.place_m") != std::string::npos);  // of the second
     }
     CHECK(tried == 2);
 }

@@ -141,7 +141,7 @@ TEST_CASE("mistakes in a target are reported with their place", "[scenes][target
                         "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
                Contains("unknown 'engin' in this object") && Contains("did you mean 'engine'?"));
     CHECK_THAT(reported("[[object.lump]]\nname = \"engine\"\n"),
-               Contains("object[0].part: missing, expected at least one"));
+               Contains("object.part: missing, expected at least one"));
     const std::string lid = "[[object.part]]\nname = \"lid\"\n";
     CHECK_THAT(reported(lid + "runs = true\n"), Contains("runs: has no effect without heat"));
     CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"oil\"\ntemperature_K = 350\n"

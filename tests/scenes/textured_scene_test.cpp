@@ -186,7 +186,7 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
         "unknown texture \"tt\" in [[texture]] (did you mean 't'?)");
     has(problem(textured(good + "sdt = 1")), "unknown key");
     has(problem(textured("std = 0.02")), "correlation_length_m: missing");
-    has(problem(textured("what = \"colour\"\n" + good)), "texture[0].what");
+    has(problem(textured("what = \"colour\"\n" + good)), "texture.what");
     has(problem(textured("mean = 0.5\nstd = 0.3\ncorrelation_length_m = 2.0")),
         "found 0.3 about a mean of 0.5");
     has(problem(textured("std = 0.2\ncorrelation_length_m = 2.0")),

@@ -282,9 +282,9 @@ TEST_CASE("what a trajectory or its observer cannot be is refused", "[scenes][tr
         "height_above_ground_m = 40.0\n" +
         camera;
     CHECK_THAT(reported(still + "look_at_m = [0.0, 9e5]\n"),
-               Contains("observer[0].look_at_m: ") && Contains("is outside"));
+               Contains("observer.look_at_m: ") && Contains("is outside"));
     CHECK_THAT(reported(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
-               Contains("observer[0].place_m: ") && Contains("is outside"));
+               Contains("observer.place_m: ") && Contains("is outside"));
     CHECK_THAT(
         reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
         Contains("velocity_m_s: is zero"));

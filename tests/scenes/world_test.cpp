@@ -129,7 +129,7 @@ TEST_CASE("ground that is nowhere on the raster is refused by its place", "[scen
         REQUIRE(error.mistakes().size() == 1);
         const std::string line = error.mistakes()[0].line();
         CAPTURE(line);
-        CHECK(line.find("scene.toml:18:15: ground[0].rectangle_m") != std::string::npos);
+        CHECK(line.find("scene.toml:18:15: ground.rectangle_m") != std::string::npos);
         CHECK(line.find("ground \"runway\" is entirely outside the elevation data") !=
               std::string::npos);
         CHECK(line.find('\n') == std::string::npos);
@@ -318,5 +318,5 @@ TEST_CASE("a mistake in an object's parts names what there is", "[scenes][world]
                                "\"\nplace_m = [0.0, 0.0]\nmaterial = \"painted_steel\"\n"
                                "[object.parts]\nhul = \"glass\"\n";
     CHECK_THROWS_WITH(built(small_scene() + object),
-                      Catch::Contains("object[0].parts.hul") && Catch::Contains("hull"));
+                      Catch::Contains("object.parts.hul") && Catch::Contains("hull"));
 }

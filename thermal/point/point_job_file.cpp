@@ -11,6 +11,7 @@
 #include "materials/base/document.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/library_parts.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "materials/matter/spectrum_notes.hpp"
@@ -193,7 +194,7 @@ PointJob read_column_job(const std::filesystem::path& file, bool allow_outside,
     const Confines confines = confines_of(file, allow_outside);
     refuse_scene(file, confines);
     Document document = Document::from_file(file, confines);
-    for (const std::string& setting : settings) document.set(setting);
+    apply_settings(document, settings, MaterialTables::one);
     return read_column_job(document);
 }
 

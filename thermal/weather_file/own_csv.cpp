@@ -9,6 +9,8 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "thermal/weather_file/recognised_columns.hpp"
+#include "thermal/weather_file/separators.hpp"
 #include "thermal/weather_file/stamps.hpp"
 #include "thermal/weather_file/weather_text.hpp"
 
@@ -66,6 +68,27 @@ void add_unknown(const CsvTable& csv, const std::vector<std::size_t>& unknown,
     }
 }
 
+/// What a table has whose columns are mostly not the program's, and how to declare them.
+Mistake foreign_table(const CsvTable& csv) {
+    constexpr std::size_t most = 12;
+    const std::size_t shown = std::min(most, csv.header.size());
+    const std::vector<std::string> names(csv.header.begin(),
+                                         csv.header.begin() + std::ptrdiff_t(shown));
+    const std::vector<std::string> known = as_declarations(recognised_columns(csv));
+    return {fmt::format("{}:{}", csv.path.string(), csv.header_line),
+            fmt::format("found the columns '{}'{}, expected time, air_temperature_K and, if "
+                        "measured, relative_humidity, wind_speed_m_s, pressure_Pa, "
+                        "shortwave_down_W_m2, longwave_down_W_m2 ...",
+                        fmt::join(names, "', '"),
+                        csv.header.size() > shown
+                            ? fmt::format(" and {} more", csv.header.size() - shown)
+                            : ""),
+            known.empty() ? "declare them in [weather.columns]: NAME = \"time UTC\", NAME = "
+                            "\"air_temperature degC\", NAME = \"wind_speed m/s\" ..."
+                          : fmt::format("declare them in [weather.columns]; recognised: {}",
+                                        fmt::join(known, ", "))};
+}
+
 /// Throws InputError for columns that no weather file has, or that are declared and not there.
 Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declared) {
     Layout layout;
@@ -110,6 +133,9 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
         } else {
             layout.unused.push_back(name);
         }
+    }
+    if (!unknown.empty() && !(has_time && taken[index(Quantity::air_temperature)])) {
+        throw InputError({foreign_table(csv)});
     }
     add_unknown(csv, unknown, mistakes);
     if (!has_time) mistakes.push_back({file, "no column 'time' in the header", ""});
@@ -238,17 +264,27 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
     return column;
 }
 
+CsvTable weather_cells(const std::filesystem::path& file, int skip_lines, std::string& separator) {
+    const std::string text = weather_text(file);
+    const int skip = skip_lines > 0 ? skip_lines : known_lines_above(text);
+    CsvTable csv = csv_table(file, with_commas(text, skip, separator), skip);
+    if (skip_lines == 0 && is_toa5(text)) drop_toa5_lines(csv);
+    return csv;
+}
+
 WeatherTable read_own_csv(const std::filesystem::path& file,
                           const std::vector<DeclaredColumn>& declared,
                           const std::vector<double>& missing_codes, int skip_lines) {
-    const std::string text = weather_text(file);
-    CsvTable csv = csv_table(file, text, skip_lines > 0 ? skip_lines : known_lines_above(text));
-    if (skip_lines == 0 && is_toa5(text)) drop_toa5_lines(csv);
+    std::string separator;
+    CsvTable csv = weather_cells(file, skip_lines, separator);
     const bool foreign = !declared.empty();
     const Layout layout = layout_of(csv, declared);
     if (csv.rows.empty()) throw InputError(file.string(), "has no weather, only a header");
     WeatherTable table{.file = file, .format = "CSV"};
     table.declarable = true;
+    if (!separator.empty()) {
+        table.notes.push_back(fmt::format("read with {} between cells", separator));
+    }
     std::vector<Instant> stamps;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         stamps.push_back(stamp_of(csv, row, layout, csv.where(row, layout.time)));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/csv.hpp"
 #include "thermal/weather_file/time_parts.hpp"
 #include "thermal/weather_file/weather_table.hpp"
 
@@ -26,6 +27,10 @@ struct DeclaredColumn {
 /// Throws InputError(where) with the allowed words.
 DeclaredColumn declared_column(const std::string& name, const std::string& says,
                                const std::string& where);
+
+/// The cells of a table of weather: with ',', ';', tabs or blanks between them, without the lines
+/// that known services put above the header. `separator` is "" for commas, else it describes it.
+CsvTable weather_cells(const std::filesystem::path& file, int skip_lines, std::string& separator);
 
 /// A CSV file with the program's own columns (thermal/weather_file/README.md) and additional
 /// declared ones. If columns are declared, others are skipped and named in a note, and cells "M"

@@ -19,13 +19,19 @@
 #include "scenes/job/plan/plan_text.hpp"
 #include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/warnings/scene_warnings.hpp"
+#include "scenes/studies/checked_studies.hpp"
+#include "scenes/studies/study_solves.hpp"
 
 namespace diurna {
 
 namespace {
 
 void check_verb(const SceneArguments& a, bool strict) {
-    CheckedScene checked = check_scene(a.read(), a.settings, a.allow_outside);
+    const StudyRequest studies{
+        .scene = a.scene, .settings = a.settings, .allow_outside = a.allow_outside};
+    CheckedScene checked =
+        check_scene(a.read(), a.settings, a.allow_outside,
+                    [&](const Prepared& prepared) { check_studies(prepared, studies); });
     const std::vector<std::string> warnings = as_lines(checked.warnings);
     if (!checked.sweep.empty()) fmt::print("{}: {}\n", a.scene.string(), checked.sweep);
     if (strict && !checked.warnings.empty()) throw InputError(std::move(checked.warnings));
@@ -62,6 +68,7 @@ void add_plan_verb(CLI::App& app) {
                                       prepared.plan));
         }
         fmt::print("{}", describe(prepared.plan));
+        fmt::print("{}", describe(study_solves(prepared.scene), prepared.plan));
         print_warnings(as_lines(scene_warnings(prepared)));
         print_notes(prepared.notes);
     });

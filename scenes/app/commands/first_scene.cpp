@@ -85,6 +85,11 @@ file = "{}"{}
                           "h, relative humidity 50 % at 15 h, wind 2 m/s; sun and sky are modelled"
                         : "  # quantities that the file lacks are modelled and reported");
     if (scene.weather_made_up) text += "interval = \"instant\"\n";
+    if (!scene.columns.empty()) {
+        text +=
+            "\n[weather.columns]  # by their names in the header: compare with the file's page\n";
+    }
+    for (const std::string& line : scene.columns) text += line + "\n";
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
@@ -19,7 +20,8 @@ struct FirstScene {
     double radius = 1000.0;          // [m] of the ground
     Instant start;
     double duration_h = 24.0;
-    double utc_offset = 0.0;  // [s] of its clock ahead of UTC
+    double utc_offset = 0.0;             // [s] of its clock ahead of UTC
+    std::vector<std::string> columns{};  // lines of [weather.columns]
     std::string date_note{};  // why it has another date than the usual one; "": it has not
 };
 

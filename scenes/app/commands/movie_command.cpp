@@ -22,6 +22,8 @@ void add_movie_verb(CLI::App& app) {
                      "band, as in the names of the pictures (required if the run has several)");
     verb->add_option("--out", options->file,
                      "FILE.mp4 or FILE.gif (default: OBSERVER_BAND.mp4 in the run's folder)");
+    verb->add_flag("--display", options->display,
+                   "pictures on the display of an [[instrument]] instead of those of the scene");
     within(verb->add_option("--fps", options->pictures_per_second,
                             "pictures per second (default: 10; GIF: at most 50)"),
            {0.1, 240.0});

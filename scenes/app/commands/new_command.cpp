@@ -26,6 +26,7 @@
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "thermal/weather_file/read_weather.hpp"
+#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 
@@ -92,8 +93,10 @@ bool has_calendar_year(WeatherFormat format) {
 /// Whether a file has weather for the scene's span; a typical year has, whatever its years.
 bool covers_span(const fs::path& file, const FirstScene& scene) {
     try {
-        read_weather(file, {.asked = {.begin = scene.start,
-                                      .end = later(scene.start, 3600.0 * scene.duration_h)}});
+        WeatherOptions options;
+        options.asked = {.begin = scene.start,
+                         .end = later(scene.start, 3600.0 * scene.duration_h)};
+        read_weather(file, options);
         return true;
     } catch (const InputError&) {
         return false;
@@ -126,7 +129,11 @@ Instant nearest_midnight(const FirstScene& scene, Instant first, Instant last) {
 void choose_span(const fs::path& file, FirstScene& scene) {
     const bool of_year = has_calendar_year(weather_format(file));
     if (of_year && covers_span(file, scene)) return;
-    const Weather weather = read_weather(file);
+    const std::vector<RecognisedColumn> recognised = recognised_columns_of(file);
+    scene.columns = as_declarations(recognised);
+    WeatherOptions options;
+    options.columns = declared_columns(recognised);
+    const Weather weather = read_weather(file, options);
     const Instant first = weather.instant.front(), last = weather.instant.back();
     const auto day = std::chrono::days(1);
     const auto ahead = std::chrono::milliseconds(std::llround(1000.0 * scene.utc_offset));
@@ -230,6 +237,10 @@ void new_verb(const NewArguments& a) {
                    scene.duration_h,
                    scene.weather_made_up ? "; the weather is generated, not measured" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
+        if (!scene.columns.empty()) {
+            fmt::print(stderr, "note: {}: columns are read as {}\n", scene.weather,
+                       plain(fmt::format("{}", fmt::join(scene.columns, ", "))));
+        }
         if (!scene.date_note.empty()) fmt::print(stderr, "note: {}\n", plain(scene.date_note));
         for (const Mistake& one : prepared.warnings)
             fmt::print(stderr, "warning: {}\n", plain(one.line()));

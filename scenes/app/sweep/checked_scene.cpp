@@ -4,7 +4,6 @@
 
 #include "scenes/app/sweep/sweep_plan.hpp"
 #include "scenes/app/sweep/variants.hpp"
-#include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/warnings/scene_warnings.hpp"
 #include "scenes/job/world/targets.hpp"
@@ -20,8 +19,8 @@ void add_warnings(const Prepared& prepared, CheckedScene& checked) {
 
 }  // namespace
 
-CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings,
-                         bool allow_outside) {
+CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings, bool allow_outside,
+                         const std::function<void(const Prepared&)>& more) {
     CheckedScene checked;
     if (!scene.sweep.axes.empty()) {
         const Sweep sweep = read_sweep_variants(scene.file, settings, allow_outside);
@@ -36,6 +35,7 @@ CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings,
     const Prepared prepared = prepare(std::move(scene));
     check_start(prepared);
     const std::vector<NetworkObject> networks = targets(prepared.world, prepared.scene);
+    if (more) more(prepared);
     add_warnings(prepared, checked);
     checked.facets = prepared.world.surfaces().size();
     checked.observers = prepared.sequences.size();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "materials/base/error.hpp"
 #include "scenes/job/input/scene.hpp"
+#include "scenes/job/plan/prepared.hpp"
 
 namespace diurna {
 
@@ -22,6 +24,8 @@ struct CheckedScene {
 /// separately.
 ///
 /// - settings, allow_outside: as when it was read
-CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings, bool allow_outside);
+/// - more: further checks of the unchanged scene, that throw InputError
+CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings, bool allow_outside,
+                         const std::function<void(const Prepared&)>& more = {});
 
 }  // namespace diurna

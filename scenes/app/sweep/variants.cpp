@@ -10,30 +10,32 @@
 #include <string_view>
 #include <utility>
 
-#include "materials/base/document.hpp"
 #include "materials/base/random.hpp"
+#include "materials/matter/library_parts.hpp"
 #include "scenes/job/input/scene_file.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Takes value `choice` of an axis to where its keys lead, of those keys that count.
+/// Adds where value `choice` of an axis goes, of those keys that count.
 template <class Counts>
-void take(Document& document, const SweepAxis& axis, std::size_t number, std::size_t choice,
-          const Counts& counts) {
+void take(const SweepAxis& axis, std::size_t number, std::size_t choice, const Counts& counts,
+          std::vector<ValueMove>& moves) {
     const std::string from = fmt::format("sweep.axis.{}.values.{}", number, choice);
     for (std::size_t k = 0; k < axis.keys.size(); ++k) {
         if (!counts(axis.keys[k])) continue;
-        document.move_value(axis.keys.size() == 1 ? from : fmt::format("{}.{}", from, k),
-                            axis.keys[k]);
+        moves.emplace_back(axis.keys.size() == 1 ? from : fmt::format("{}.{}", from, k),
+                           axis.keys[k]);
     }
 }
 
-Document document_of(const Sweep& sweep) {
-    Document document = Document::from_file(sweep.file, sweep.base.confines);
-    for (const std::string& setting : sweep.settings) document.set(setting);
-    return document;
+/// The scene with values of its axes, which are then removed.
+Scene scene_with(const Sweep& sweep, const std::vector<ValueMove>& moves) {
+    Document document = scene_document(sweep.file, sweep.settings, sweep.base.confines);
+    move_values(document, moves, MaterialTables::by_name);
+    document.drop("sweep");
+    return read_scene(document);
 }
 
 bool every_key(const std::string&) { return true; }
@@ -41,13 +43,12 @@ bool every_key(const std::string&) { return true; }
 /// With a variant's values of those keys that count.
 template <class Counts>
 Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& counts) {
-    Document document = document_of(sweep);
     const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+    std::vector<ValueMove> moves;
     for (std::size_t a = 0; a < axes.size(); ++a) {
-        take(document, axes[a], a, variant.choice[a], counts);
+        take(axes[a], a, variant.choice[a], counts, moves);
     }
-    document.drop("sweep");
-    return read_scene(document);
+    return scene_with(sweep, moves);
 }
 
 /// Whether the ground's mesh follows the observers (terrain.coarsest_m), in any variant.
@@ -117,10 +118,9 @@ void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
             try {
-                Document document = document_of(sweep);
-                take(document, axes[a], a, v, every_key);
-                document.drop("sweep");
-                use(read_scene(document));
+                std::vector<ValueMove> moves;
+                take(axes[a], a, v, every_key, moves);
+                use(scene_with(sweep, moves));
             } catch (const InputError& error) {
                 // A key that is none is so for every value: reported of the first.
                 for (const Mistake& mistake : error.mistakes()) {

@@ -8,6 +8,7 @@
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/everyday_words.hpp"
+#include "materials/matter/library_parts.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "render/picture/frame.hpp"
@@ -313,13 +314,23 @@ Scene read_scene(const Document& document) {
     return scene;
 }
 
+Document scene_document(const fs::path& file, const std::vector<std::string>& settings,
+                        const Confines& confines) {
+    Document document = Document::from_file(file, confines);
+    document.name_tables("crossover", {"first", "second"});
+    document.name_tables("signature", {"object"});
+    document.name_tables("detection", {"object"});
+    document.name_tables("contrast", {});
+    document.name_tables("sensitivity", {});
+    apply_settings(document, settings, MaterialTables::by_name);
+    return document;
+}
+
 Scene read_scene(const fs::path& file, const std::vector<std::string>& settings,
                  bool allow_outside) {
     const Confines confines = confines_of(file, allow_outside);
     refuse_column(file, confines);
-    Document document = Document::from_file(file, confines);
-    for (const std::string& setting : settings) document.set(setting);
-    return read_scene(document);
+    return read_scene(scene_document(file, settings, confines));
 }
 
 }  // namespace diurna

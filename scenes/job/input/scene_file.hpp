@@ -15,6 +15,9 @@ namespace diurna {
 /// "key.path=value" and replace the file's values. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {},
                  bool allow_outside = false);
+/// The scene file with settings in place of its values, for read_scene(). Throws InputError.
+Document scene_document(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                        const Confines& confines);
 /// The same for a document, for which it calls finish().
 Scene read_scene(const Document& document);
 

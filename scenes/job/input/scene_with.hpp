@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "scenes/job/input/scene.hpp"
 
 namespace diurna {
@@ -19,6 +21,13 @@ SceneWith reads_scene(std::filesystem::path file, std::vector<std::string> setti
                       bool allow_outside);
 
 std::string setting(const std::string& key, double value);
+
+/// What is wrong with the scene with those; nothing if it can be read.
+///
+/// - where: position of the request in the scene file
+std::optional<Mistake> mistake_with(const SceneWith& scene_with,
+                                    const std::vector<std::string>& settings,
+                                    const std::string& where);
 
 /// Reads the scene with those. Throws InputError at `where` if it cannot be read.
 ///

@@ -32,6 +32,7 @@ void Progress::stage(StageId id, const std::string& what) {
     const std::lock_guard lock(mutex_);
     id_ = id;
     name_ = name_of(id, what);
+    shown_name_ = part_.empty() ? name_ : part_ + ": " + name_;
     doing_.clear();
     share_ = 0.0;
     tenths_ = 0;
@@ -39,7 +40,12 @@ void Progress::stage(StageId id, const std::string& what) {
     shown_ = to_.style == ProgressStyle::lines ? began_ : Clock::time_point{};
     heard_ = began_;
     if (to_.style == ProgressStyle::bar) show(0.0, false);
-    if (to_.listener) to_.listener(name_, 0.0);
+    if (to_.listener) to_.listener(shown_name_, 0.0);
+}
+
+void Progress::part(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    part_ = text;
 }
 
 /// Whether what is known by now should be shown.
@@ -57,7 +63,7 @@ void Progress::done(double share) {
     share_ = share;
     if (to_.listener && !name_.empty() && seconds_since(heard_) >= 0.2) {
         heard_ = Clock::now();
-        to_.listener(name_, share);
+        to_.listener(shown_name_, share);
     }
     if (!due(share)) return;
     shown_ = Clock::now();
@@ -98,7 +104,7 @@ void Progress::finish() {
     if (name_.empty()) return;
     stages_.push_back({id_, name_, seconds_since(began_)});
     show(1.0, true);
-    if (to_.listener) to_.listener(name_, 1.0);
+    if (to_.listener) to_.listener(shown_name_, 1.0);
     name_.clear();
 }
 
@@ -109,15 +115,15 @@ void Progress::show(double share, bool ended) {
             return;
         case ProgressStyle::lines:
             if (ended) {
-                fmt::print(stderr, "{:<28} {:7.2f} s\n", plain(name_), spent);
+                fmt::print(stderr, "{:<28} {:7.2f} s\n", plain(shown_name_), spent);
             } else {
-                fmt::print(stderr, "{:<28} {:7.2f} s  {:3.0f} %{}{}\n", plain(name_), spent,
+                fmt::print(stderr, "{:<28} {:7.2f} s  {:3.0f} %{}{}\n", plain(shown_name_), spent,
                            std::floor(100.0 * share), doing_.empty() ? "" : "  ", plain(doing_));
             }
             break;
         case ProgressStyle::json:
             fmt::print(stderr, "{{\"stage\":{},\"share\":{:.4f},\"seconds\":{:.3f}{}}}\n",
-                       nlohmann::json(plain(name_)).dump(), share, spent,
+                       nlohmann::json(plain(shown_name_)).dump(), share, spent,
                        ended || doing_.empty()
                            ? ""
                            : fmt::format(",\"doing\":{}", nlohmann::json(plain(doing_)).dump()));
@@ -130,8 +136,8 @@ void Progress::show(double share, bool ended) {
                                        : "";
             // What it works on where it has gone on for longer than it should have.
             const bool stalls = !ended && spent > 10.0 && !doing_.empty();
-            fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", plain(name_), "",
-                       full, "", width - full, spent,
+            fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", plain(shown_name_),
+                       "", full, "", width - full, spent,
                        stalls ? "  " + plain(doing_).substr(0, 60) : eta, ended ? "\n" : "");
             break;
         }

@@ -43,6 +43,9 @@ class Progress {
     ///
     /// - what: what it works on, an observer or the step of a study; "": the whole scene
     void stage(StageId id, const std::string& what = "");
+    /// Text before the names of the following stages: "solve 3 of 8"; "": none. stages() does not
+    /// have it.
+    void part(const std::string& text);
     /// Completed share of the present stage, 0 to 1. Fast; may be called from any thread.
     void done(double share);
     /// The current item of the present stage, in a few words; shown if it takes long.
@@ -69,7 +72,7 @@ class Progress {
     ProgressTo to_;
     std::mutex mutex_;
     StageId id_ = StageId::terrain;
-    std::string name_, doing_;
+    std::string name_, shown_name_, part_, doing_;
     double share_ = 0.0;  // last reported
     int tenths_ = 0;      // number already printed for the present stage
     Clock::time_point began_{}, shown_{}, heard_{};

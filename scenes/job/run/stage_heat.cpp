@@ -39,20 +39,17 @@ std::string targets_reported(const SolveInput& input, const SolveReport& report)
 std::string water_reported(const SolveReport& report) {
     std::vector<std::string> parts;
     if (report.stores > 0) {
-        parts.push_back(fmt::format(
-            "rain, dew, frost and snow are modelled on {} (including their reflectance; the heat "
-            "balance keeps the longwave emissivity of the dry surface)",
-            number_of(report.stores, "facet")));
+        parts.push_back(fmt::format("rain, dew, frost and snow are modelled on {}",
+                                    number_of(report.stores, "facet")));
     }
     if (report.unfollowed > 0) {
-        parts.push_back(
-            fmt::format("{} without rain and dew store: dew would change their temperature by less "
-                        "than {:.2g} K, or the ground evaporates by itself (the heat of dew is "
-                        "included; its later evaporation, up to {:.2g} mm, is not)",
-                        number_of(report.unfollowed, "facet"), std::max(0.01, report.dew_left_out),
-                        report.most_dew_unfollowed));
+        parts.push_back(fmt::format(
+            "on {} dew warms the surface but does not stay on it: an error below {:.2g} K where "
+            "the material is dry, up to {:.2g} mm less evaporation where it is moist",
+            number_of(report.unfollowed, "other facet"), std::max(0.01, report.dew_left_out),
+            report.most_dew_unfollowed));
     }
-    return parts.empty() ? "" : fmt::format("water: {}", fmt::join(parts, "; "));
+    return parts.empty() ? "" : fmt::format("water: {}", fmt::join(parts, ". "));
 }
 
 }  // namespace

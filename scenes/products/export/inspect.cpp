@@ -15,6 +15,7 @@
 #include "thermal/temperature_mesh.hpp"
 #include "thermal/temperature_names.hpp"
 #include "thermal/weather_file/read_weather.hpp"
+#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 
@@ -59,11 +60,21 @@ Found inspect_table(const fs::path& file, const InspectOptions& options) {
     return weather_format(file) != WeatherFormat::csv ? inspect_weather(file) : inspect_csv(file);
 }
 
+/// Whether it is a table whose columns are recognised as weather.
+bool is_recognised_weather(const fs::path& file) {
+    try {
+        return !recognised_columns_of(file).empty();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 /// Lists beside pictures, soundings, or a tape7 by such a name.
 Found inspect_text(const fs::path& file) {
     const std::string text = read_text(file);
     if (is_igra(text)) return inspect_igra(file);
     if (is_sounding_list(text)) return inspect_sounding(file);
+    if (is_recognised_weather(file)) return inspect_weather(file);
     try {
         return inspect_label_lines(file);
     } catch (const InputError& no_labels) {

@@ -9,6 +9,7 @@
 #include "materials/matter/read_brdf.hpp"
 #include "scenes/products/export/inspect.hpp"
 #include "thermal/weather_file/quantity.hpp"
+#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 
@@ -88,7 +89,9 @@ Found inspect_brdf(const std::filesystem::path& file) {
 }
 
 Found inspect_csv(const std::filesystem::path& file) {
-    const CsvTable table = read_csv(file);
+    if (!recognised_columns_of(file).empty()) return inspect_weather(file);
+    std::string separator;
+    const CsvTable table = weather_cells(file, 0, separator);
     if (is_sounding(table)) return inspect_sounding(file);
     const bool weather = std::any_of(
         table.header.begin(), table.header.end(),
@@ -108,11 +111,14 @@ Found inspect_csv(const std::filesystem::path& file) {
         found.next = "use it as measured in [calibrate] of a column file, with column and unit";
         return found;
     }
-    throw InputError(file.string(),
-                     fmt::format("is a table of {}: no column has a known name of weather, "
-                                 "soundings, spectra, trajectories or places",
-                                 fmt::format("{}", fmt::join(table.header, ", "))),
-                     "declare its columns in [weather.columns] of a scene");
+    const std::vector<std::string> recognised = as_declarations(recognised_columns(table));
+    throw InputError(
+        file.string(),
+        fmt::format("is a table of the columns '{}'; expected those of weather (time, "
+                    "air_temperature_K, ...), a sounding, a spectrum, a trajectory or places",
+                    fmt::join(table.header, "', '")),
+        fmt::format("weather of other names is declared in [weather.columns] of a scene{}{}",
+                    recognised.empty() ? "" : "; recognised: ", fmt::join(recognised, ", ")));
 }
 
 }  // namespace diurna

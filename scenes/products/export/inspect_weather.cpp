@@ -6,12 +6,16 @@
 
 #include "scenes/products/export/inspect.hpp"
 #include "thermal/weather_file/read_weather.hpp"
+#include "thermal/weather_file/recognised_columns.hpp"
 #include "thermal/weather_file/unused_columns.hpp"
 
 namespace diurna {
 
 Found inspect_weather(const std::filesystem::path& file) {
-    WeatherTable table = read_weather_table(file, {});
+    const std::vector<RecognisedColumn> recognised = recognised_columns_of(file);
+    WeatherOptions options;
+    options.columns = declared_columns(recognised);
+    WeatherTable table = read_weather_table(file, options);
     warn_of_unused_columns(table);
     const double step = usual_interval(table.stamp);
     Found found{.kind = "weather"};
@@ -48,6 +52,12 @@ Found inspect_weather(const std::filesystem::path& file) {
         if (apart <= 1.5 * step) continue;
         gaps.row.push_back(
             {format_instant(table.stamp[i - 1]), format_instant(table.stamp[i]), apart});
+    }
+    if (!recognised.empty()) {
+        found.fact.push_back({"read_as", {}});
+        for (const std::string& line : as_declarations(recognised)) {
+            found.fact.back().value.emplace_back(line);
+        }
     }
     found.fact.push_back({"gaps_in_time", {static_cast<long long>(gaps.row.size())}});
     found.table.push_back(std::move(columns));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,15 +27,20 @@ namespace {
 /// Files of each (observer, band), in the order of their instants: their names end in those.
 using SeriesFiles = std::map<std::pair<std::string, std::string>, std::vector<fs::path>>;
 
-SeriesFiles series_in(const fs::path& folder) {
-    if (!fs::is_directory(folder / "frames")) {
-        throw InputError(folder.string(), "found no folder frames, expected the folder of a run",
+SeriesFiles series_in(const fs::path& folder, bool display) {
+    const std::string place = display ? "instrument" : "frames";
+    const std::string ending = display ? "_display.png" : ".exr";
+    if (!fs::is_directory(folder / place)) {
+        throw InputError(folder.string(),
+                         fmt::format("found no folder {}, expected the folder of a run{}", place,
+                                     display ? " with an [[instrument]]" : ""),
                          variant_hint(folder));
     }
     SeriesFiles all;
-    for (const auto& entry : fs::directory_iterator(folder / "frames")) {
-        if (entry.path().extension() != ".exr") continue;
-        const std::string name = entry.path().stem().string();  // OBSERVER_BAND_UTC
+    for (const auto& entry : fs::directory_iterator(folder / place)) {
+        std::string name = entry.path().filename().string();  // OBSERVER_BAND_UTC and ending
+        if (!name.ends_with(ending)) continue;
+        name.resize(name.size() - ending.size());
         const std::size_t last = name.rfind('_');
         const std::size_t first =
             last == std::string::npos || last == 0 ? std::string::npos : name.rfind('_', last - 1);
@@ -48,7 +54,7 @@ SeriesFiles series_in(const fs::path& folder) {
 
 /// The requested one.
 SeriesFiles::value_type chosen(const MovieOptions& options) {
-    SeriesFiles all = series_in(options.folder);
+    SeriesFiles all = series_in(options.folder, options.display);
     std::vector<std::string> known;
     for (const auto& [key, files] : all) {
         known.push_back(fmt::format("--observer {} --band {}", key.first, key.second));
@@ -58,7 +64,11 @@ SeriesFiles::value_type chosen(const MovieOptions& options) {
                (!options.band.empty() && entry.first.second != options.band);
     });
     if (all.size() == 1) return *all.begin();
-    if (known.empty()) throw InputError(options.folder.string(), "has no pictures in frames");
+    if (known.empty()) {
+        throw InputError(options.folder.string(), options.display
+                                                      ? "has no pictures of a display in instrument"
+                                                      : "has no pictures in frames");
+    }
     throw InputError(options.folder.string(),
                      fmt::format("{} series of pictures match, expected one of: {}", all.size(),
                                  fmt::join(known, "; ")));
@@ -98,13 +108,25 @@ MovieReport write_movie(const MovieOptions& options) {
                        .plane = plane_of(key.second),
                        .unit = ""};
     if (report.file.empty()) {
-        report.file = options.folder / fmt::format("{}_{}.mp4", key.first, key.second);
+        report.file = options.folder / fmt::format("{}_{}{}.mp4", key.first, key.second,
+                                                   options.display ? "_display" : "");
     }
     const MovieKind kind = kind_of(report.file, options.pictures_per_second);
     std::vector<FileRead> inputs = opened.files();
     for (const fs::path& file : files) inputs.push_back({.path = file});
     check_output_file(report.file, inputs);
     FfmpegMovie movie(report.file, kind, options.pictures_per_second);
+    if (options.display) {
+        for (const fs::path& file : files) {
+            const std::string png = read_text(file);
+            movie.add(std::as_bytes(std::span(png)));
+        }
+        movie.finish();
+        report.plane = "display";
+        report.unit = "grey levels";
+        report.scale = {0.0, 255.0};
+        return report;
+    }
     const std::array<std::string, 2> wanted = {report.plane, "temperature"};
     std::vector<ColourScale> scales(files.size());
     for_each_index(

@@ -42,7 +42,8 @@ std::string moment(const OrderedJson& of) {
 }
 
 std::string crossover_rows(const OrderedJson& study) {
-    std::string out = cells({"band µm", "crossing", "", "warmer after", "± min",
+    const std::string clock = study.contains("times") ? ", " + reported(study, "times") : "";
+    std::string out = cells({"band µm", "crossing" + clock, "", "warmer after", "± min",
                              "hours below " + reported(study, "threshold_K") + " K", "lowest K"},
                             "th");
     for (const OrderedJson& band : study.at("bands")) {

@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t sun_lanes = RayBundles::lanes;
 constexpr float all_or_nothing = 0.02f;  // shares that near to 0 or 1 count as these
 
-/// The facet that rays know in the place of each.
+/// The facet on which a surface lies.
 struct InPlace {
     const TextureLevels* levels;
-    std::size_t operator()(FacetId facet) const {
-        return levels == nullptr || levels->empty() ? index(facet) : levels->origin[index(facet)];
+    std::size_t operator()(SurfaceId surface) const {
+        return levels == nullptr ? index(surface) : index(levels->facet_of(surface));
     }
 };
 
@@ -31,8 +31,8 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
     PixelSun out;
     out.row.push_back(0);
     if (std::find(crossed.begin(), crossed.end(), 1) == crossed.end()) return out;
-    std::vector<std::uint8_t> target(view.facet.size());
-    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.facet[t])];
+    std::vector<std::uint8_t> target(view.surface.size());
+    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.surface[t])];
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             if (target[view.sighting[k].target] != 0) out.sighting.push_back(k);
@@ -218,7 +218,7 @@ class SampleCaster {
 
     /// Of an entry.
     std::size_t place_of(std::uint32_t entry) const {
-        return in_place_(view_.facet[view_.sighting[out_.sighting[entry]].target]);
+        return in_place_(view_.surface[view_.sighting[out_.sighting[entry]].target]);
     }
     std::uint32_t copy_of(std::uint32_t entry) const {
         return view_.copy_of(view_.sighting[out_.sighting[entry]].target);

@@ -16,6 +16,7 @@
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/texture/level_values.hpp"
 
 namespace diurna {
 
@@ -25,19 +26,19 @@ constexpr std::size_t most_checked_instants = 24;
 constexpr std::size_t most_named = 4;  // materials
 
 /// The points' facets and all that share a corner with one.
-std::vector<FacetId> about(const World& world, const CheckPoints& points) {
+std::vector<SurfaceId> about(const World& world, const CheckPoints& points) {
     const FacetSet& facets = world.facets;
     const TextureLevels& levels = world.texture_levels;
     std::vector<std::uint8_t> touched(facets.vertex.size(), 0);
     for (const CheckPoint& point : points.point) {
-        const std::size_t f = levels.solid_of(point.surface);
+        const std::size_t f = index(levels.facet_of(point.surface));
         for (const std::uint32_t v : facets.corner[f]) touched[v] = 1;
     }
-    std::vector<FacetId> near;
+    std::vector<SurfaceId> near;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const auto& corner = facets.corner[f];
         if (std::any_of(corner.begin(), corner.end(), [&](auto v) { return touched[v] != 0; })) {
-            near.push_back(FacetId{static_cast<std::uint32_t>(f)});
+            near.push_back(surface_id(f));
         }
     }
     return near;
@@ -50,7 +51,7 @@ struct AtPoints {
 };
 
 AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
-                     std::span<const FacetId> near, Instant when,
+                     std::span<const SurfaceId> near, Instant when,
                      std::span<const float> temperature) {
     AtPoints at{.warmer = std::vector<float>(points.point.size(), 0.0f),
                 .by_sun = std::vector<float>(points.point.size(), 0.0f)};
@@ -62,25 +63,22 @@ AtPoints in_pictures(const Prepared& prepared, const CheckPoints& points,
     const TextureLevels& levels = world.texture_levels;
     const FacetSet& surfaces = world.surfaces();
     const SunOverFacets sun{prepared.rays, surfaces, fraction, sun_direction(place)};
-    std::vector<FacetId> of_point;
-    for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
+    std::vector<SurfaceId> of_point;
+    for (const CheckPoint& point : points.point) of_point.push_back(point.surface);
     const std::vector<FacetSlope> slope =
         facet_slopes(of_point, {.sun = sun, .temperature = temperature});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const CheckPoint& point = points.point[k];
-        warmer[k] = slope[k].at(point.place - surfaces.centroid[point.surface]);
+        warmer[k] = slope[k].at(point.place - surfaces.centroid[index(point.surface)]);
     }
     if (fraction.empty()) return at;
-    std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
-    for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
-        crossed.push_back(crossed[levels.solid_of(f)]);
-    }
+    const std::vector<std::uint8_t> crossed = on_surfaces(levels, facets_with_edges(sun, &levels));
     const std::vector<float> kelvins = kelvins_of_sun(
         surfaces, crossed, fraction, temperature,
         most_kelvins_of_sun(surfaces, prepared.scene.materials, sun.to_sun, temperature));
     const SunExposure on_patch = sun_at(points, prepared, {when});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
-        const std::uint32_t f = points.point[k].surface;
+        const std::size_t f = index(points.point[k].surface);
         warmer[k] += kelvins[f] * (on_patch.fraction[k] - fraction[f]);
         const float on_whole = on_patch.fraction[points.point.size() + k];
         at.by_sun[k] = kelvins[f] * (fraction[f] - on_whole);
@@ -111,8 +109,10 @@ double median_edge(const Prepared& prepared, const CheckPoints& points,
     const FacetSet& surfaces = prepared.world.surfaces();
     std::vector<double> edge;
     for (const CheckPoint& point : points.point) {
-        if (prepared.scene.materials[surfaces.material[point.surface]].kind() != material) continue;
-        edge.push_back(std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[point.surface]}));
+        if (prepared.scene.materials[surfaces.material[index(point.surface)]].kind() != material)
+            continue;
+        edge.push_back(
+            std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[index(point.surface)]}));
     }
     if (edge.empty()) return 0.0;
     const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
@@ -133,7 +133,7 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
     CheckError error;
     const std::size_t count = points.point.size(), all = field.instant.size();
     if (count == 0 || all == 0) return error;
-    const std::vector<FacetId> near = about(prepared.world, points);
+    const std::vector<SurfaceId> near = about(prepared.world, points);
     const FacetSet& surfaces = prepared.world.surfaces();
     const std::size_t asked = std::min(all, most_checked_instants);
     std::vector<double> off;
@@ -146,16 +146,14 @@ CheckError check_error(const Prepared& prepared, const CheckPoints& points,
         const std::span<const float> kelvin = field.at(i);
         const AtPoints shown = in_pictures(prepared, points, near, field.instant[i], kelvin);
         for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t f = points.point[k].surface;
+            const std::size_t f = index(points.point[k].surface);
             const float* const patch = patches.data() + 2 * i * count;
             const double e = double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]};
             const double ray = double{kelvin[f]} - double{patch[count + k]};
             by_rays += ray * ray;
             const double sun = std::min(ray * ray, double{shown.by_sun[k]} * shown.by_sun[k]);
             by_sun += sun;
-            const bool object =
-                prepared.world.texture_levels.solid_of(f) >= prepared.world.ground_facets;
-            if (object) of_objects += ray * ray - sun;
+            if (!prepared.world.on_ground(points.point[k].surface)) of_objects += ray * ray - sun;
             off.push_back(std::abs(e));
             squares += e * e;
             of_point[k] += e * e;

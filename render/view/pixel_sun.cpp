@@ -44,24 +44,31 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
     return out;
 }
 
+/// The pixels of a view whose sun is found.
+struct SunCast {
+    const View& view;
+    const SunOverFacets& sun;
+    const Observer& observer;
+    std::span<const std::uint8_t> crossed;  // facets_with_edges()
+};
+
 /// Casts the samples of a few pixels at a time and asks for the sun at what they meet. For one
 /// thread.
 class SampleCaster {
  public:
-    SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
-                 const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out,
-                 std::span<std::uint8_t> mixed, bool every)
-        : view_(view),
-          sun_(sun),
-          disc_(sun.to_sun),
+    SampleCaster(const SunCast& cast, const PixelSamples& samples, const ViewOptions& options,
+                 bool every, PixelSun& out, std::span<std::uint8_t> mixed)
+        : view_(cast.view),
+          sun_(cast.sun),
+          disc_(cast.sun.to_sun),
           samples_(samples),
           seed_(options.seed),
           in_place_{options.texture_levels},
-          crossed_(crossed),
+          crossed_(cast.crossed),
           out_(out),
           mixed_(mixed),
           at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
-          rays_(sun.rays, at_a_time_ * samples.bundles()) {
+          rays_(cast.sun.rays, at_a_time_ * samples.bundles()) {
         rays_.set_origin(samples.origin());
         // One in each row of cells and in each column: rooks a knight's move apart.
         const auto [columns, rows] = nearly_square(options.samples);
@@ -247,17 +254,15 @@ class SampleCaster {
 /// Finds all shares of `out`; returns (pixel of out) 1 where samples differ.
 ///
 /// - every: asks at every sample, though the first ones be alike
-std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
-                                   const Observer& observer, const ViewOptions& options,
-                                   std::span<const std::uint8_t> crossed, bool every,
+std::vector<std::uint8_t> cast_all(const SunCast& of, const ViewOptions& options, bool every,
                                    PixelSun& out) {
     std::vector<std::uint8_t> mixed(out.pixel.size(), 0);
     out.share.resize(out.sighting.size());
-    const PixelSamples samples(observer, options.samples, options.seed);
+    const PixelSamples samples(of.observer, options.samples, options.seed);
     constexpr std::size_t grain = 256;
     std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
     for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
-        SampleCaster caster(view, sun, samples, options, crossed, out, mixed, every);
+        SampleCaster caster(of, samples, options, every, out, mixed);
         rays[begin / grain] = caster.cast(begin, end);
     });
     out.rays += std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
@@ -268,9 +273,8 @@ constexpr int least_refined = 4, times_more = 3;
 
 /// Takes three times as many samples more in pixels that an edge goes through: sixteen leave 0.04
 /// of what sun and shade differ by.
-void refine(const View& view, const SunOverFacets& sun, const Observer& observer,
-            const ViewOptions& options, std::span<const std::uint8_t> crossed,
-            std::span<const std::uint8_t> mixed, PixelSun& out) {
+void refine(const SunCast& of, const ViewOptions& options, std::span<const std::uint8_t> mixed,
+            PixelSun& out) {
     PixelSun finer;
     finer.row.push_back(0);
     std::vector<std::uint32_t> entry;  // (entry of finer) that of out
@@ -286,11 +290,11 @@ void refine(const View& view, const SunOverFacets& sun, const Observer& observer
     ViewOptions more = options;
     more.samples = times_more * options.samples;
     more.seed = options.seed + golden_step;
-    cast_all(view, sun, observer, more, crossed, true, finer);
+    cast_all(of, more, true, finer);
     constexpr float share = float(times_more) / float(1 + times_more);
     for (std::size_t i = 0; i < entry.size(); ++i) {
-        float& of = out.share[entry[i]];
-        of += share * (finer.share[i] - of);
+        float& whole = out.share[entry[i]];
+        whole += share * (finer.share[i] - whole);
     }
     out.rays += finer.rays;
 }
@@ -327,8 +331,9 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
                         const ViewOptions& options) {
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
-    std::vector<std::uint8_t> mixed = cast_all(view, sun, observer, options, crossed, false, out);
-    if (options.samples >= least_refined) refine(view, sun, observer, options, crossed, mixed, out);
+    const SunCast of{view, sun, observer, crossed};
+    std::vector<std::uint8_t> mixed = cast_all(of, options, false, out);
+    if (options.samples >= least_refined) refine(of, options, mixed, out);
     out.crossed = std::move(crossed);
     return out;
 }

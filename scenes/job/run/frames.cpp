@@ -67,15 +67,43 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
 
 using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
 
+/// An observer's frames: from what they are rendered, and where they go.
+struct FrameWork {
+    const Stages& stages;
+    const TemperatureField& field;
+    std::size_t observer;        // of the scene's
+    const ObserverInput& input;  // with the bands that are wanted
+    const InstrumentViews& instruments;
+    const fs::path& out;
+    Ledger& ledger;
+
+    const Sequence& sequence() const { return stages.scene().sequences[observer]; }
+};
+
+/// The observer's view and its instruments' of a scene whose objects are at one place each.
+struct CastViews {
+    const Prepared& prepared;
+    const FacetViews& views;
+    Series series;
+    std::vector<InstrumentSeries> instruments;
+};
+
+/// - frames: instants of all frames with this view
+CastViews cast_views(const FrameWork& work, const Prepared& here, const SceneStage& stage,
+                     const Observer& eye, std::span<const Instant> frames) {
+    return {here, stage.views, cast_series(here, work.input, eye, frames, stage.views, work.field),
+            cast_instruments(work.instruments, here, eye, frames, stage.views, work.field)};
+}
+
 /// Renders and writes the bands and cubes of one instant, enters them with the tables' notes of
 /// their error, and leaves what instruments see of it.
 ///
 /// - blurred: objects go on while the picture is taken
-void render_instant(const Prepared& prepared, const Series& s, const FacetViews& views,
-                    const TemperatureField& field, Instant instant,
-                    std::span<const InstrumentSeries> instruments, const fs::path& out,
-                    Ledger& ledger, bool blurred = false) {
-    const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
+void render_instant(const FrameWork& work, const CastViews& cast, Instant instant,
+                    bool blurred = false) {
+    const auto& [prepared, views, s, instruments] = cast;
+    const fs::path& out = work.out;
+    const Picture picture = picture_at(prepared, s, views, work.field, instant, blurred);
     Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
     for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
         reported.push_back(std::move(beyond));
@@ -86,9 +114,9 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
     }
     const std::vector<std::string> files =
         picture_files(s.input, instant, prepared.scene.labels.format);
-    if (!files.empty()) ledger.add(files, std::move(reported));
+    if (!files.empty()) work.ledger.add(files, std::move(reported));
     for (const InstrumentSeries& one : instruments) {
-        const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
+        const Frame frame = seen_flux(one, prepared, views, work.field, instant, blurred, picture);
         const fs::path file =
             out / (instrument_base(s.input.name, one.view.band.name, instant) + ".exr");
         fs::create_directories(file.parent_path());
@@ -103,14 +131,12 @@ bool blurs(const Movement& movement, const Observer& observer, Instant when) {
 
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
-void render_alone(const Stages& stages, std::size_t o, const ObserverInput& input,
-                  std::size_t frame, const TemperatureField& field,
-                  const InstrumentViews& instruments, const fs::path& out, Ledger& ledger) {
-    const Prepared& scene = stages.scene();
+void render_alone(const FrameWork& work, std::size_t frame) {
+    const Prepared& scene = work.stages.scene();
     const Movement& movement = scene.movement;
-    const Sequence& sequence = scene.sequences[o];
+    const Sequence& sequence = work.sequence();
     const Instant instant = sequence.frame[frame];
-    const SceneStage stage = stages.at(movement.stage_of(instant));
+    const SceneStage stage = work.stages.at(movement.stage_of(instant));
     std::optional<Prepared> on_the_way;
     const bool blurred = blurs(movement, sequence.at(frame), instant);
     if (blurred) {
@@ -120,26 +146,18 @@ void render_alone(const Stages& stages, std::size_t o, const ObserverInput& inpu
         on_the_way.emplace(moved(scene, movement.poses_at(instant)));
     }
     const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
-    const Series own =
-        cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
-    const std::vector<InstrumentSeries> finer =
-        cast_instruments(instruments, here, sequence.at(frame), {&instant, 1}, stage.views, field);
-    render_instant(here, own, stage.views, field, instant, finer, out, ledger, blurred);
+    const CastViews cast = cast_views(work, here, stage, sequence.at(frame), {&instant, 1});
+    render_instant(work, cast, instant, blurred);
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
 /// once for each stage.
-///
-/// - input: with the bands that are wanted
-void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& input,
-                     std::span<const std::size_t> wanted, const TemperatureField& field,
-                     const InstrumentViews& instruments, const fs::path& out, Progress& progress,
-                     Ledger& ledger) {
-    const Prepared& scene = stages.scene();
-    const Movement& movement = scene.movement;
-    const Sequence& sequence = scene.sequences[o];
-    std::vector<std::size_t> alone;                              // places in `wanted`
-    std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
+void render_sequence(const FrameWork& work, std::span<const std::size_t> wanted,
+                     Progress& progress) {
+    const Movement& movement = work.stages.scene().movement;
+    const Sequence& sequence = work.sequence();
+    std::vector<std::size_t> alone;                                   // places in `wanted`
+    std::vector<std::vector<std::size_t>> still(work.stages.size());  // (stage) likewise
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Instant when = sequence.frame[wanted[i]];
         const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when)) ||
@@ -158,26 +176,19 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
     };
     for (std::size_t s = 0; s < still.size(); ++s) {
         if (still[s].empty()) continue;
-        progress.stage(StageId::views, input.name);
-        const SceneStage stage = stages.at(s);
+        progress.stage(StageId::views, work.input.name);
+        const SceneStage stage = work.stages.at(s);
         std::vector<Instant> frames;  // of the stage, whichever are still to be rendered
         for (const Instant when : sequence.frame) {
             if (movement.stage_of(when) == s) frames.push_back(when);
         }
-        const Series series =
-            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
-        const std::vector<InstrumentSeries> finer = cast_instruments(
-            instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
-        progress.stage(StageId::frames, input.name);
-        each(still[s], [&](std::size_t frame) {
-            render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame], finer,
-                           out, ledger);
-        });
+        const CastViews cast = cast_views(work, stage.prepared, stage, sequence.at(0), frames);
+        progress.stage(StageId::frames, work.input.name);
+        each(still[s],
+             [&](std::size_t frame) { render_instant(work, cast, sequence.frame[frame]); });
     }
-    if (!alone.empty()) progress.stage(StageId::frames, input.name);
-    each(alone, [&](std::size_t frame) {
-        render_alone(stages, o, input, frame, field, instruments, out, ledger);
-    });
+    if (!alone.empty()) progress.stage(StageId::frames, work.input.name);
+    each(alone, [&](std::size_t frame) { render_alone(work, frame); });
 }
 
 }  // namespace
@@ -201,7 +212,7 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
         }
         if (!wanted.empty()) {
             const InstrumentViews instruments = instrument_views(prepared.scene, input);
-            render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
+            render_sequence({stages, field, o, input, instruments, out, ledger}, wanted, progress);
             if (!instruments.empty()) progress.stage(StageId::instruments, input.name);
             for (const auto& view : instruments) {
                 Messages notes;

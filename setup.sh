@@ -14,7 +14,7 @@ packages=(
     libproj-dev proj-data liberfa-dev libtbb-dev
     # files, messages, pictures
     libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libnetcdf-dev libhdf5-dev libboost-dev
-    libfftw3-dev libopenexr-dev libpng-dev libtiff-dev libssl-dev libcereal-dev
+    libfftw3-dev libopenexr-dev libpng-dev libtiff-dev libssl-dev
     # tests and benches
     catch2 libsundials-dev libbenchmark-dev
 )

@@ -271,8 +271,8 @@ double frame_rows(const Stage& s) {
             median_time(threads, 3, [&] { view = cast_view(s.rays, s.facets, s.aerial, {}); });
         s.row("cast", "cast_view", s.setting(), threads, cast[threads], 1e-6 * rays / cast[threads],
               "Mray/s");
-        const LitFacets lit = lit_facets(s.input(s.temperature), view.facet, s.lw);
-        const LitFacets lit_both = lit_facets(s.input(s.temperature), view.facet, s.both);
+        const LitFacets lit = lit_facets(s.input(s.temperature), view.surface, s.lw);
+        const LitFacets lit_both = lit_facets(s.input(s.temperature), view.surface, s.both);
         Frame picture;
         frame[threads] = median_time(threads, 7, [&] {
             picture =
@@ -287,7 +287,7 @@ double frame_rows(const Stage& s) {
         s.row("frame", "from_view", s.setting() + " 3-5 8-12", threads, two_bands[threads], 0.0,
               "");
     }
-    fmt::print(stderr, "{} targets, {:.2f} sightings a pixel\n", view.facet.size(),
+    fmt::print(stderr, "{} targets, {:.2f} sightings a pixel\n", view.surface.size(),
                double(view.sighting.size()) / double(view.pixels()));
     s.row("ratio", "cast_to_cast_and_shade", s.setting(), 1, 0.0, cast[1] / (cast[1] + frame[1]),
           "must 0.80");
@@ -311,7 +311,7 @@ void day_rows(const Stage& s) {
     const double cpu_start = cpu_now();
     const View still = cast_view(s.rays, s.facets, camera, {});
     const double still_cast = now() - start;
-    const LitFacets lit = lit_facets(s.input(s.temperature), still.facet, s.both);
+    const LitFacets lit = lit_facets(s.input(s.temperature), still.surface, s.both);
     for_each_index(
         24,
         [&](std::size_t hour) {

@@ -57,7 +57,7 @@ instruments from 0.35 to 20 micrometres would see of it, as OpenEXR.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME diurna-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libcgal-dev, libopenmesh-dev, libembree-dev, libeigen3-dev, libgeographiclib-dev, libgdal-dev, liberfa-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libcli11-dev, libfmt-dev, libnetcdf-dev, libhdf5-dev, libboost-dev, libfftw3-dev, libopenexr-dev, libpng-dev, libtiff-dev, libssl-dev, libcereal-dev, pkg-config")
+    "libcgal-dev, libopenmesh-dev, libembree-dev, libeigen3-dev, libgeographiclib-dev, libgdal-dev, liberfa-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libcli11-dev, libfmt-dev, libnetcdf-dev, libhdf5-dev, libboost-dev, libfftw3-dev, libopenexr-dev, libpng-dev, libtiff-dev, libssl-dev, pkg-config")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "libraries and headers of diurna
 Static libraries for find_package(diurna), with their headers.")

@@ -35,14 +35,10 @@ version_in(GeographicLib/Config.h GeographicLib "define GEOGRAPHICLIB_VERSION_ST
 pkg_check_modules(openmesh REQUIRED openmesh)
 pkg_check_modules(gmp REQUIRED gmp)
 pkg_check_modules(mpfr REQUIRED mpfr)
-find_file(found_cereal cereal/version.hpp NO_CACHE REQUIRED)
-file(STRINGS ${found_cereal} cereal_VERSION REGEX "define CEREAL_VERSION_(MAJOR|MINOR|PATCH)")
-string(REGEX MATCHALL "[0-9]+" cereal_VERSION "${cereal_VERSION}")
-list(JOIN cereal_VERSION "." cereal_VERSION)
 
 # Name and version of each, in this order in manifests, `diurna doctor` and the bill of materials.
 string(CONCAT DIURNA_LIBRARIES "Boost ${Boost_VERSION}, CGAL ${CGAL_VERSION}, "
-    "cereal ${cereal_VERSION}, CLI11 ${CLI11_VERSION}, Eigen ${Eigen3_VERSION}, Embree ${embree_VERSION}, ERFA ${erfa_VERSION}, "
+    "CLI11 ${CLI11_VERSION}, Eigen ${Eigen3_VERSION}, Embree ${embree_VERSION}, ERFA ${erfa_VERSION}, "
     "FFTW ${fftw_VERSION}, fmt ${fmt_VERSION}, GDAL ${GDAL_VERSION}, "
     "GeographicLib ${GeographicLib_VERSION}, GMP ${gmp_VERSION}, HDF5 ${hdf5_VERSION}, "
     "libpng ${PNG_VERSION_STRING}, MPFR ${mpfr_VERSION}, "

@@ -16,7 +16,6 @@ here = pathlib.Path(__file__).resolve().parent
 # Name of the search (requirements/CMakeLists.txt) -> Debian package.
 LIBRARIES = {
     "boost/version.hpp": "libboost-dev",
-    "cereal/version.hpp": "libcereal-dev",
     "gmp.h": "libgmp-dev",
     "mpfr.h": "libmpfr-dev",
     "CGAL": "libcgal-dev",

@@ -76,8 +76,8 @@ Planes see(const View& view, const Observer& observer, const EyeTables& tables,
            const SceneLight& light) {
     const std::size_t columns = tables.columns(), per_band = tables.columns_of_band();
     static_assert(sizeof(AtEye) == 3 * sizeof(float));
-    ReusedFloats memory(view.facet.size() * columns * 3);
-    const std::span eye(reinterpret_cast<AtEye*>(memory.data()), view.facet.size() * columns);
+    ReusedFloats memory(view.surface.size() * columns * 3);
+    const std::span eye(reinterpret_cast<AtEye*>(memory.data()), view.surface.size() * columns);
     tables.look(view, light, eye);
     // What is seen where the scene ends is air, or ends in air: it counts as path, the last term.
     const auto behind = view_backgrounds(view, observer, light.band, light.input);
@@ -161,8 +161,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         // Light the facets that the picture depends on.
         std::optional<LitFacets> own;
         const bool secondary_rays = options.secondary_rays && !options.secondary_rays->empty();
-        const std::vector<FacetId> seen =
-            secondary_rays ? seen_facets(view.facet, *options.secondary_rays) : view.facet;
+        const std::vector<SurfaceId> seen =
+            secondary_rays ? seen_surfaces(view.surface, *options.secondary_rays) : view.surface;
         if (!options.lit) own = lit_facets(input, seen, bands);
         const LitFacets& lit = options.lit ? *options.lit : *own;
         check_lit(lit, seen.size(), bands.size());
@@ -186,7 +186,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         std::optional<SecondaryLight> of_secondary_rays;
         if (secondary_rays) {
             of_secondary_rays.emplace(*options.secondary_rays, options.plumes, light,
-                                      view.facet.size(),
+                                      view.surface.size(),
                                       SecondaryOptions{.bounces = options.bounces,
                                                        .tolerance = options.tolerance,
                                                        .by_term = eye.columns_of_band() > 1,

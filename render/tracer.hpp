@@ -21,8 +21,8 @@ struct FrameOptions {
     int surfaces = 0;           // of each pixel in planes (surface_planes.hpp); needs `terms`
     double tolerance = 1e-3;    // [K] target for the tables, in apparent temperature
     int bounces = all_bounces;  // maximum of interreflections (radiosity.hpp)
-    /// lit_facets(input, seen_facets(view.facet, secondary rays), bands), for a series of frames
-    /// without motion.
+    /// lit_facets(input, seen_surfaces(view.surface, secondary rays), bands), for a series of
+    /// frames without motion.
     const LitFacets* lit = nullptr;
     /// follow_rays() of the view if it sees panes, nets, mirrors or plumes
     /// (secondary_light.hpp).

@@ -39,7 +39,7 @@ double from_facets(const FacetViews& views, std::size_t r, std::span<const float
                    const std::vector<float>& leaving) {
     double sum = 0.0, seen = 0.0;
     for (auto k = views.others.row[r]; k < views.others.row[r + 1]; ++k) {
-        sum += double{views.others.factor[k]} * leaving[index(views.others.facet[k])];
+        sum += double{views.others.factor[k]} * leaving[views.others.facet[k]];
         seen += double{views.others.factor[k]};
     }
     double outside = 0.0;

@@ -320,15 +320,22 @@ namespace {
 
 constexpr double nothing = 1e-3;  // of light: no more of it is followed
 
+/// A line through the cloud, and the line from its beginning onward to the eye.
+struct CloudedLine {
+    const SightLine& line;
+    const CloudCrossing& crossing;
+    std::span<const double> turn;
+    const SightLine& onward;
+};
+
 /// Of a line through the cloud, where it is covered: the light scattered before the cloud, the face
 /// of the cloud and the share `through` of the light beyond, times `scale`.
 ///
 /// - face: (bin) irradiance that the face seen sends, 0 where negative
 template <class Face>
-ScatteredLight light_with_cloud(const SunlitAir& air, const SightLine& line,
-                                const CloudCrossing& crossing, std::span<const double> turn,
-                                const SightLine& onward, const Face& face, double through,
-                                double scale) {
+ScatteredLight light_with_cloud(const SunlitAir& air, const CloudedLine& clouded, const Face& face,
+                                double through, double scale) {
+    const auto& [line, crossing, turn, onward] = clouded;
     const SightLine before = line_before(line, crossing), beyond = line_behind(line, crossing);
     ScatteredLight light = scattered_light(air, before, turn, true, true, onward);
     const SightLine to_eye = joined(onward, before);
@@ -355,31 +362,27 @@ double through_cloud(const BandModel& model, const CloudCrossing& crossing) {
 
 /// Of a line that falls through the cloud: its top, equally bright at every angle, and the light
 /// from below it.
-ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
-                                const CloudCrossing& crossing, std::span<const double> turn,
-                                const SightLine& onward) {
+ScatteredLight light_over_cloud(const SunlitAir& air, const CloudedLine& clouded) {
     const BandModel& model = air.model;
-    const double through = through_cloud(model, crossing);
+    const double through = through_cloud(model, clouded.crossing);
     const std::size_t base = air.at_height(model.cloud.base_km).low;
     const std::vector<double>&below = air.cloudy.up.value[base],
           &above = air.cloudy.up.value[base + 1];
     const auto top = [&](std::size_t b) { return above[b] - through * below[b]; };
-    return light_with_cloud(air, line, crossing, turn, onward, top, through, model.scale.diffuse);
+    return light_with_cloud(air, clouded, top, through, model.scale.diffuse);
 }
 
 /// Of a line that rises through the cloud: its base and the light from above it. So objects behind
 /// a thick cloud look like the sky beside them.
-ScatteredLight light_under_cloud(const SunlitAir& air, const SightLine& line,
-                                 const CloudCrossing& crossing, std::span<const double> turn,
-                                 const SightLine& onward) {
+ScatteredLight light_under_cloud(const SunlitAir& air, const CloudedLine& clouded) {
     const BandModel& model = air.model;
-    const double through = through_cloud(model, crossing);
+    const double through = through_cloud(model, clouded.crossing);
     const std::size_t drops = air.at_height(model.cloud.base_km).low;
     const std::vector<double>&below = air.cloudy.down.value[drops],
           &above = air.cloudy.down.value[drops + 1];
-    const double shape = base_brightness(model.cloud, crossing.cosine);
+    const double shape = base_brightness(model.cloud, clouded.crossing.cosine);
     const auto base = [&](std::size_t b) { return shape * below[b] - through * above[b]; };
-    return light_with_cloud(air, line, crossing, turn, onward, base, through, 1.0);
+    return light_with_cloud(air, clouded, base, through, 1.0);
 }
 
 }  // namespace
@@ -406,8 +409,8 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
     const bool over = crossing && line.height_within(0, 0.0) >= air.model.cloud.top_km();
     if (covered > 0.0) {
         light.mix(covered, !crossing ? scattered_light(air, line, turn, true, true, onward)
-                           : over    ? light_over_cloud(air, line, *crossing, turn, onward)
-                                     : light_under_cloud(air, line, *crossing, turn, onward));
+                           : over    ? light_over_cloud(air, {line, *crossing, turn, onward})
+                                     : light_under_cloud(air, {line, *crossing, turn, onward}));
     }
     if (scale != 1.0 && line.size() > 0 && below_cloud(air.model, line.height_within(0, 0.0))) {
         light.scale(scale);

@@ -51,7 +51,7 @@ EyeTables::EyeTables(const PathTable& path, const SceneLight& light, const Optio
 }
 
 void EyeTables::look(const View& view, const SceneLight& light, std::span<AtEye> out) const {
-    for_each_block(view.facet.size(), 2048,
+    for_each_block(view.surface.size(), 2048,
                    [&](std::size_t begin, std::size_t end) { look(view, light, begin, end, out); });
 }
 

@@ -20,8 +20,8 @@ struct Chosen {
     std::vector<float> warmer;               // (row) [K]; a target's second row is the opposite
     std::vector<std::uint8_t> has_parabola;  // (row)
 
-    Chosen(const View& view, const LinearFacets& ground) : place(view.facet.size(), no_row) {
-        std::vector<float> most(view.facet.size(), 0.0f);
+    Chosen(const View& view, const LinearFacets& ground) : place(view.surface.size(), no_row) {
+        std::vector<float> most(view.surface.size(), 0.0f);
         for (std::size_t k = 0; k < ground.warmer.size(); ++k) {
             float& of = most[view.sighting[k].target];
             of = std::max(of, std::abs(ground.warmer[k]));

@@ -44,7 +44,7 @@ void sum_columns(const View& view, std::span<const AtEye> eye, std::size_t first
 void sum_pixels(const View& view, std::span<const AtEye> eye,
                 std::span<const BackgroundTable* const> background, double azimuth_deg,
                 std::span<std::vector<float>> planes) {
-    assert(eye.size() == view.facet.size() * planes.size());
+    assert(eye.size() == view.surface.size() * planes.size());
     std::size_t first = 0;
     for (; first + 6 <= planes.size(); first += 6) {
         sum_columns<6>(view, eye, first, background, azimuth_deg, planes);

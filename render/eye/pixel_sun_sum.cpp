@@ -22,7 +22,7 @@ void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& ligh
     for (const std::uint32_t s : sun.sighting) targets.push_back(view.sighting[s].target);
     std::sort(targets.begin(), targets.end());
     targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
-    std::vector<std::uint32_t> place(view.facet.size());
+    std::vector<std::uint32_t> place(view.surface.size());
     for (std::size_t k = 0; k < targets.size(); ++k) {
         place[targets[k]] = static_cast<std::uint32_t>(k);
     }
@@ -32,7 +32,7 @@ void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& ligh
     for_each_index(sun.pixel.size(), [&](std::size_t k) {
         for (std::uint32_t e = sun.row[k]; e < sun.row[k + 1]; ++e) {
             const Sighting& s = view.sighting[sun.sighting[e]];
-            const float mean = light.input.sun_fraction[index(view.facet[s.target])];
+            const float mean = light.input.sun_fraction[index(view.surface[s.target])];
             const float more = s.weight * (sun.share[e] - mean);
             const AtEye* at = &whole[place[s.target] * columns];
             for (std::size_t c = 0; c < columns; ++c) {

@@ -90,7 +90,7 @@ struct OwnState {
              const LinearFacets* ground)
         : sun(view.sighting.size(), 0.0f), warmer(sun), place(sun.size(), nothing_seen) {
         for (std::size_t s = 0; s < sun.size() && !input.sun_fraction.empty(); ++s) {
-            sun[s] = input.sun_fraction[index(view.facet[view.sighting[s].target])];
+            sun[s] = input.sun_fraction[index(view.surface[view.sighting[s].target])];
         }
         if (ground != nullptr && !ground->empty()) warmer = ground->warmer;
         for (std::size_t e = 0; pixels != nullptr && e < pixels->share.size(); ++e) {
@@ -120,11 +120,11 @@ class SurfaceLight {
           light_(light),
           columns_(eye.columns()),
           own_(own),
-          at_eye_(view.facet.size() * columns_),
-          whole_sun_(view.facet.size() * columns_),
+          at_eye_(view.surface.size() * columns_),
+          whole_sun_(view.surface.size() * columns_),
           warmth_(own.warm.size() * columns_),
           to_sun_(light.input.to_sun.cast<float>()) {
-        std::vector<std::uint32_t> all(view.facet.size());
+        std::vector<std::uint32_t> all(view.surface.size());
         std::iota(all.begin(), all.end(), 0u);
         eye.look(view, light, at_eye_);
         eye.look_at_sun(view, light, all, whole_sun_);
@@ -138,7 +138,7 @@ class SurfaceLight {
         for (const BandLight& band : light.band) worth_.push_back(worth_in(band));
     }
 
-    float cosine_to_sun(FacetId facet) const {
+    float cosine_to_sun(SurfaceId facet) const {
         return std::max(0.0f, light_.input.facets.normal[index(facet)].dot(to_sun_));
     }
 
@@ -182,7 +182,7 @@ class SurfaceLight {
     std::array<float, 3 * products.size() + 1> of_sighting(std::size_t b, std::uint32_t sighting,
                                                            std::vector<float>& row) const {
         const Sighting& s = view_.sighting[sighting];
-        const FacetId facet = view_.facet[s.target];
+        const SurfaceId facet = view_.surface[s.target];
         const std::size_t lit = light_.lit.target[s.target];
         const Worth& leaving = worth_[b].leaving[index(light_.lit.material[lit])];
         // The row of the whole sun: what reaches this pixel is a share of it.
@@ -251,23 +251,24 @@ void add_surface_planes(const View& view, const SceneLight& light, const EyeTabl
             std::vector<float> plane(view.pixels(), none);
             for (std::size_t p = 0; p < plane.size(); ++p) {
                 if (of_pixel[p] == nothing_seen) continue;
-                const FacetId facet = view.facet[view.sighting[of_pixel[p]].target];
+                const SurfaceId facet = view.surface[view.sighting[of_pixel[p]].target];
                 plane[p] = static_cast<float>(value(of_pixel[p], facet));
             }
             frame.planes.push_back({fmt::format("{}_{}", name, k + 1), unit, std::move(plane)});
         };
-        add("weight", "1", 0.0f, [&](std::uint32_t s, FacetId) { return view.sighting[s].weight; });
-        add("facet", "1", -1.0f, [&](std::uint32_t, FacetId f) { return index(f); });
+        add("weight", "1", 0.0f,
+            [&](std::uint32_t s, SurfaceId) { return view.sighting[s].weight; });
+        add("facet", "1", -1.0f, [&](std::uint32_t, SurfaceId f) { return index(f); });
         add("material", "1", -1.0f,
-            [&](std::uint32_t, FacetId f) { return index(input.facets.material[index(f)]); });
-        add("temperature", "K", 0.0f, [&](std::uint32_t s, FacetId f) {
+            [&](std::uint32_t, SurfaceId f) { return index(input.facets.material[index(f)]); });
+        add("temperature", "K", 0.0f, [&](std::uint32_t s, SurfaceId f) {
             return input.temperature[index(f)] + own.warmer[s];
         });
-        add("sun_fraction", "1", 0.0f, [&](std::uint32_t s, FacetId) { return own.sun[s]; });
+        add("sun_fraction", "1", 0.0f, [&](std::uint32_t s, SurfaceId) { return own.sun[s]; });
         add("cosine_sun", "1", 0.0f,
-            [&](std::uint32_t, FacetId f) { return of_surface.cosine_to_sun(f); });
+            [&](std::uint32_t, SurfaceId f) { return of_surface.cosine_to_sun(f); });
         add("sky_view", "1", 0.0f,
-            [&](std::uint32_t, FacetId f) { return input.views.sky[index(f)]; });
+            [&](std::uint32_t, SurfaceId f) { return input.views.sky[index(f)]; });
         for (std::size_t b = 0; b < light.band.size(); ++b) {
             of_surface.add(b, of_pixel, k + 1, frame);
         }

@@ -19,11 +19,10 @@ std::vector<float> warmer_centres(const View& view, const PixelSun* sun,
     std::vector<float> in_sun(view.pixels(), 0.0f);
     for (std::size_t k = 0; k < sun->pixel.size(); ++k) {
         const std::size_t p = sun->pixel[k];
-        const FacetId centre =
-            view.centre_blend.empty() ? view.centre[p] : view.centre_blend[p].first;
+        const SurfaceId centre = view.surfaces_at(p).first;
         for (std::uint32_t e = sun->row[k]; e < sun->row[k + 1]; ++e) {
             const std::uint32_t target = view.sighting[sun->sighting[e]].target;
-            if (view.facet[target] == centre && view.copy_of(target) == view.copy_at(p)) {
+            if (view.surface[target] == centre && view.copy_of(target) == view.copy_at(p)) {
                 in_sun[p] = sun->warmer[e];
             }
         }
@@ -53,12 +52,8 @@ void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun
         add_pixels(name, unit, sky, [&](std::size_t p) { return value(index(view.centre[p])); });
     };
     // Of a textured facet: what is there, and in which of its materials most of that is.
-    const auto blend = [&](std::size_t p) {
-        return view.centre_blend.empty() ? Blend{view.centre[p], view.centre[p]}
-                                         : view.centre_blend[p];
-    };
     add_pixels("temperature", "K", nothing, [&](std::size_t p) {
-        const Blend b = blend(p);
+        const Blend b = view.surfaces_at(p);
         const double more = warmer.empty() ? 0.0 : double{warmer[p]};
         const double first = more + input.temperature[index(b.first)];
         if (b.second_share == 0.0f) return first;
@@ -71,7 +66,7 @@ void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun
     add_pixels("object", "1", -1.0f,
                [&](std::size_t p) { return static_cast<unsigned>(view.object_at(facets, p)); });
     add_pixels("material", "1", -1.0f, [&](std::size_t p) {
-        const Blend b = blend(p);
+        const Blend b = view.surfaces_at(p);
         return index(facets.material[index(b.second_share > 0.5f ? b.second : b.first)]);
     });
     const auto normal = [&](std::size_t p) -> Eigen::Vector3f {

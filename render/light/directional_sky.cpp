@@ -150,11 +150,11 @@ UnevenView uneven(const EvenSkyVector& even) {
 
 }  // namespace
 
-UnevenView uneven_view(const RadianceInput& input, FacetId facet) {
+UnevenView uneven_view(const RadianceInput& input, SurfaceId facet) {
     return uneven(even_part(sky_of(input.views, input.facets, index(facet)), sun_in_plan(input)));
 }
 
-NarrowView narrow_view(const RadianceInput& input, FacetId facet) {
+NarrowView narrow_view(const RadianceInput& input, SurfaceId facet) {
     const Eigen::Vector2f towards = sun_in_plan(input);
     const Eigen::Vector3f& normal = input.facets.normal[index(facet)];
     const Eigen::Vector3f turned(normal.x() * towards.x() + normal.y() * towards.y(),

@@ -25,9 +25,9 @@ inline constexpr std::size_t uneven_functions = even_sky_functions - 1;
 using UnevenView = std::array<float, uneven_functions>;
 
 /// T_k of a facet minus its sky view times those of level ground; all 0 on open level ground.
-UnevenView uneven_view(const RadianceInput& input, FacetId facet);
+UnevenView uneven_view(const RadianceInput& input, SurfaceId facet);
 /// Shares of its sky by direction relative to the sun.
-NarrowView narrow_view(const RadianceInput& input, FacetId facet);
+NarrowView narrow_view(const RadianceInput& input, SurfaceId facet);
 /// For a wall on open ground that faces the sun, or away from it.
 UnevenView uneven_view_of_wall(bool sunward);
 

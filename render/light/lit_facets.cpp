@@ -53,7 +53,7 @@ struct Reached {
 };
 
 /// From the eye along the ways of light, as long as what a facet's surroundings send matters.
-Reached reached(const RadianceInput& input, std::span<const FacetId> seen,
+Reached reached(const RadianceInput& input, std::span<const SurfaceId> seen,
                 std::span<const float> returned) {
     const ViewFactors& others = input.views.others;
     const std::size_t n = input.facets.size();
@@ -61,22 +61,22 @@ Reached reached(const RadianceInput& input, std::span<const FacetId> seen,
                   .has_row = std::vector<std::uint8_t>(n, 0),
                   .reach = std::vector<float>(n, -1.0f)};
     std::vector<std::uint32_t> now, next;
-    for (const FacetId id : seen) {
+    for (const SurfaceId id : seen) {
         found.seen[index(id)] = found.has_row[index(id)] = 1;
-        now.push_back(static_cast<std::uint32_t>(index(id)));
+        now.push_back(number(id));
     }
     while (!now.empty()) {
         next.clear();
         for (const std::uint32_t f : now) {
             const float on = (found.seen[f] ? 1.0f : found.reach[f]) * returned[f];
             for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
-                const std::size_t source = index(others.facet[k]);
+                const std::uint32_t source = others.facet[k];
                 float& best = found.reach[source];
                 if (best >= on) continue;
                 best = on;
                 if (found.seen[source] || best * returned[source] < least_reach) continue;
                 found.has_row[source] = 1;
-                next.push_back(static_cast<std::uint32_t>(source));
+                next.push_back(source);
             }
         }
         now.swap(next);
@@ -105,7 +105,7 @@ ReflectionBounds bounds_of(const Band& band, const RadianceInput& input, const L
 void add_sources(const FacetViews& views, const Reached& found,
                  std::span<const std::uint32_t> place, LitFacets& lit) {
     std::size_t entries = 0;
-    for (const FacetId facet : lit.facet) {
+    for (const SurfaceId facet : lit.facet) {
         const std::size_t f = index(facet);
         if (found.has_row[f]) entries += views.others.row[f + 1] - views.others.row[f];
     }
@@ -114,9 +114,9 @@ void add_sources(const FacetViews& views, const Reached& found,
     lit.factor.reserve(entries);
     lit.row.push_back(0);
     lit.is_source.assign(lit.facet.size(), 0);
-    for (const FacetId facet : lit.facet) {
+    for (const SurfaceId facet : lit.facet) {
         if (found.has_row[index(facet)]) {
-            each_seen_facet(views, facet, [&](FacetId from, double factor) {
+            each_seen_facet(views, facet, [&](SurfaceId from, double factor) {
                 lit.source.push_back(place[index(from)]);
                 lit.is_source[place[index(from)]] = 1;
                 lit.factor.push_back(static_cast<float>(factor));
@@ -150,7 +150,7 @@ void set_heights(const RadianceInput& input, LitFacets& lit) {
     if (lit.facet.empty()) return;
     std::vector<double> height_km;
     height_km.reserve(lit.facet.size());
-    for (const FacetId facet : lit.facet) height_km.push_back(input.height_km(facet));
+    for (const SurfaceId facet : lit.facet) height_km.push_back(input.height_km(facet));
     const auto [least, most] = std::minmax_element(height_km.begin(), height_km.end());
     if (*least < input.light_edge_km && *most >= input.light_edge_km) {
         set_heights_about_edge(height_km, input.light_edge_km, lit);
@@ -165,7 +165,7 @@ void set_heights(const RadianceInput& input, LitFacets& lit) {
 
 }  // namespace
 
-LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
+LitFacets lit_facets(const RadianceInput& input, std::span<const SurfaceId> seen,
                      std::span<const Band> bands) {
     const std::vector<float> returned = returned_by(input, bands);
     const Reached found = reached(input, seen, returned);
@@ -175,14 +175,14 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
     for (std::size_t f = 0; f < place.size(); ++f) {
         if (!found.seen[f] && found.reach[f] < 0.0f) continue;
         place[f] = static_cast<std::uint32_t>(lit.facet.size());
-        lit.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
+        lit.facet.push_back(surface_id(f));
         lit.material.push_back(input.facets.material[f]);
         lit.sky_view.push_back(input.views.sky[f]);
         lit.reach.push_back(std::max(0.0f, found.reach[f]));
         lit.returned.push_back(returned[f]);
         lit.material_used[index(input.facets.material[f])] = true;
     }
-    for (const FacetId id : seen) lit.target.push_back(place[index(id)]);
+    for (const SurfaceId id : seen) lit.target.push_back(place[index(id)]);
     add_sources(input.views, found, place, lit);
     set_heights(input, lit);
     for (const Band& band : bands) lit.bounds.push_back(bounds_of(band, input, lit));
@@ -200,7 +200,7 @@ void set_narrow_views(const RadianceInput& input, const LitFacets& lit, LitState
     std::vector<bool> counts(lit.facet.size());
     for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = lit.reach[i] >= least_share;
     for (const std::uint32_t i : lit.target) counts[i] = true;
-    std::vector<FacetId> facet;
+    std::vector<SurfaceId> facet;
     for (std::size_t i = 0; i < lit.facet.size(); ++i) {
         if (!counts[i] || narrowness(lit.sky_view[i]) == 0.0f) continue;
         facet.push_back(lit.facet[i]);

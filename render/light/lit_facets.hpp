@@ -27,7 +27,7 @@ inline constexpr int all_bounces = 1000;
 /// illuminate these, and so on while significant) and their view factors: everything that is
 /// constant while nothing moves.
 struct LitFacets {
-    std::vector<FacetId> facet;           // ascending
+    std::vector<SurfaceId> facet;         // ascending
     std::vector<std::uint32_t> target;    // (input facet) index above
     std::vector<std::uint32_t> row;       // (lit + 1) light that arrives: [row[i], row[i + 1])
     std::vector<std::uint32_t> source;    // index of a lit facet
@@ -48,7 +48,7 @@ struct LitFacets {
 };
 /// - seen: of a view's targets, in their order
 /// - bands: of the pictures
-LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
+LitFacets lit_facets(const RadianceInput& input, std::span<const SurfaceId> seen,
                      std::span<const Band> bands);
 
 /// Weights of the least, middle and greatest height for a height of −1 to 1: a quadratic, as

@@ -63,9 +63,9 @@ void add(LightByOrigin& sum, std::span<const double> factor, const LightByOrigin
 }
 
 /// Light that arrives from the facets around [W m⁻² sr⁻¹ µm⁻¹]; empty if there are none.
-LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces);
+LightByOrigin arriving(LightMemo& memo, SurfaceId facet, int bounces);
 
-TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
+TermsByOrigin terms_of(LightMemo& memo, SurfaceId facet, int bounces) {
     const RadianceInput& input = memo.input;
     const std::span<const double> node_um = memo.node_um;
     const std::size_t f = index(facet), nodes = node_um.size();
@@ -99,9 +99,9 @@ TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     return terms;
 }
 
-LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces) {
+LightByOrigin arriving(LightMemo& memo, SurfaceId facet, int bounces) {
     LightByOrigin sum;
-    each_seen_facet(memo.input.views, facet, [&](FacetId other, double factor) {
+    each_seen_facet(memo.input.views, facet, [&](SurfaceId other, double factor) {
         // Of a net its strips alone, which the factor is for: what is behind has its own.
         const RadianceInput& input = memo.input;
         const Material& material = input.materials[input.facets.material[index(other)]];
@@ -124,14 +124,14 @@ LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces) {
 
 }  // namespace
 
-double sunlight_on(const RadianceInput& input, FacetId facet) {
+double sunlight_on(const RadianceInput& input, SurfaceId facet) {
     if (input.sun_fraction.empty()) return 0.0;
     const std::size_t f = index(facet);
     return sunlight_on(double{input.sun_fraction[f]},
                        input.facets.normal[f].cast<double>().dot(input.to_sun));
 }
 
-TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
+TermsByOrigin radiosity_by_origin(const RadianceInput& input, SurfaceId facet,
                                   std::span<const double> node_um, int bounces,
                                   const ScatteredSun* scattered) {
     std::optional<ScatteredSun> own;
@@ -141,7 +141,7 @@ TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
     return terms_of(memo, facet, bounces);
 }
 
-NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
+NodeTerms radiosity_terms(const RadianceInput& input, SurfaceId facet,
                           std::span<const double> node_um, int bounces,
                           const ScatteredSun* scattered) {
     NodeTerms sums;

@@ -35,13 +35,13 @@ using NodeTerms = std::array<std::vector<double>, term_count>;
 ///
 /// - scattered: scattered_sun() of these nodes; null: computed here
 /// - returns: Term::path is zero
-NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
+NodeTerms radiosity_terms(const RadianceInput& input, SurfaceId facet,
                           std::span<const double> node_um, int bounces = 2,
                           const ScatteredSun* scattered = nullptr);
 
 /// The same by origin of the light: (term)(origin)(node).
 using TermsByOrigin = std::array<LightByOrigin, term_count>;
-TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
+TermsByOrigin radiosity_by_origin(const RadianceInput& input, SurfaceId facet,
                                   std::span<const double> node_um, int bounces = 2,
                                   const ScatteredSun* scattered = nullptr);
 
@@ -59,7 +59,7 @@ LightByOrigin onward_shares(const RadianceInput& input, const SightLine& line, d
 /// A facet as an observer sees it [m]; heights above the origin's level surface.
 struct FacetSight {
     double observer_height;
-    FacetId facet;
+    SurfaceId facet;
     double range, height;
 };
 /// Band radiance [W m⁻² sr⁻¹] at the eye, term by term: J attenuated by the air, by origin, plus
@@ -69,6 +69,6 @@ std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const
                                                const ScatteredSun* scattered = nullptr);
 
 /// sunlight_on() of a facet of the scene.
-double sunlight_on(const RadianceInput& input, FacetId facet);
+double sunlight_on(const RadianceInput& input, SurfaceId facet);
 
 }  // namespace diurna

@@ -53,17 +53,17 @@ struct RadianceInput {
     /// Height above the sea [km] of a height above the origin's level surface [m].
     double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }
     /// Height above the sea [km] whose sun and sky a facet has: of its middle.
-    double height_km(FacetId facet) const {
+    double height_km(SurfaceId facet) const {
         if (light_height_km) return *light_height_km;
         return above_sea_km(level_height(facets.centroid[index(facet)].cast<double>()));
     }
 };
 
-/// Calls body(facet, factor) for each facet that a facet sees, with the view factor scaled so that
+/// Calls body(surface, factor) for each that a surface sees, with the view factor scaled so that
 /// the sum is 1 − sky view: ground beyond the scene's edge looks like the visible surroundings.
 /// Never called without any.
 template <class Body>
-void each_seen_facet(const FacetViews& views, FacetId facet, const Body& body) {
+void each_seen_facet(const FacetViews& views, SurfaceId facet, const Body& body) {
     const ViewFactors& others = views.others;
     const std::size_t f = index(facet);
     double total = 0.0;
@@ -73,7 +73,7 @@ void each_seen_facet(const FacetViews& views, FacetId facet, const Body& body) {
     const double rest = 1.0 - double{views.sky[f]};
     for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
         if (others.factor[k] == 0.0f) continue;  // a row of zeros counts as empty
-        body(others.facet[k], rest * double{others.factor[k]} / total);
+        body(SurfaceId{others.facet[k]}, rest * double{others.factor[k]} / total);
     }
 }
 

@@ -103,8 +103,7 @@ void Radiosity::follow_bounces(std::span<const BandLight> bands,
     });
     followed_ = std::size_t(std::count(begun.begin(), begun.end(), 1));
     bounces_ = 2 + interreflect(
-                       SeenRows<std::uint32_t>{
-                           .row = lit_.row, .source = lit_.source, .factor = lit_.factor},
+                       SeenRows{.row = lit_.row, .source = lit_.source, .factor = lit_.factor},
                        {.value = unsent.data(), .stride = lanes, .lanes = lanes, .counts = counts},
                        [&](std::size_t i, const float* arrived, float* own) {
                            if (!lit_.is_source[i]) return 0.0f;

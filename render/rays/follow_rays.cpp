@@ -22,9 +22,9 @@ double fraction(double x) { return x - std::floor(x); }
 
 /// (target of the view) whether its material needs rays.
 std::vector<bool> targets_that_need_rays(const View& view, const SecondaryScene& scene) {
-    std::vector<bool> target(view.facet.size());
+    std::vector<bool> target(view.surface.size());
     for (std::size_t t = 0; t < target.size(); ++t) {
-        target[t] = scene.needs_rays(view.facet[t]);
+        target[t] = scene.needs_rays(view.surface[t]);
     }
     return target;
 }
@@ -92,7 +92,7 @@ bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const Secondary
                 secondary.kind != SecondaryRay::Kind::facet)
                 return false;
             const SecondaryRay& mirror = secondary_rays[static_cast<std::size_t>(secondary.before)];
-            const auto& finish = scene.material(FacetId{mirror.what}).finish;
+            const auto& finish = scene.material(mirror.surface()).finish;
             return roughness_under(finish, scene.wind_speed) >= least_lobe;
         });
 }
@@ -190,7 +190,7 @@ struct PixelWalks {
                 return secondary.before < 0 && !secondary.closed &&
                        secondary.kind != SecondaryRay::Kind::plume &&
                        !(secondary.kind == SecondaryRay::Kind::facet &&
-                         scene.needs_rays(FacetId{secondary.what}));
+                         scene.needs_rays(secondary.surface()));
             });
         if (plain) seen.clear();
         return seen;

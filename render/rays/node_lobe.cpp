@@ -51,7 +51,7 @@ std::vector<double> NodeLobes::in_mirror(const SecondaryRay& mirror,
 /// What arrives at a mirror from the facets around, their mean, as it arrives at the eye.
 std::vector<double> NodeLobes::mean_around(const SecondaryRay& mirror) const {
     const TermsByOrigin terms =
-        radiosity_by_origin(input_, FacetId{mirror.what}, band_.node_um, 2, scattered_);
+        radiosity_by_origin(input_, mirror.surface(), band_.node_um, 2, scattered_);
     const LightByOrigin& sent = terms[static_cast<std::size_t>(Term::surroundings)];
     const LightByOrigin shares = onward_shares(
         input_, line_to(mirror), input_.above_sea_km(double{mirror.height}), band_.node_um);

@@ -68,7 +68,7 @@ Eigen::Vector3d RoughMirrors::normal(const SecondaryRay& secondary) const {
 
 std::size_t RoughMirrors::place(const SecondaryRay& secondary) const {
     const auto at =
-        std::lower_bound(tables_.facet.begin(), tables_.facet.end(), FacetId{secondary.what});
+        std::lower_bound(tables_.facet.begin(), tables_.facet.end(), secondary.surface());
     const bool behind =
         tables_.input.facets.normal[secondary.what].cast<double>().dot(to_eye(secondary)) < 0.0;
     return 2 * static_cast<std::size_t>(at - tables_.facet.begin()) + std::size_t{behind};

@@ -18,7 +18,7 @@ struct OwnLight {
     SceneLight light;
     OwnLight(const SecondaryRays& secondary_rays, std::span<const Band> bands,
              const RadianceInput& input, const SecondaryOptions& options)
-        : lit(lit_facets(input, facets_of(secondary_rays), bands)),
+        : lit(lit_facets(input, surfaces_of(secondary_rays), bands)),
           light(input, lit, bands, options.bounces, options.tolerance) {}
 };
 

@@ -36,7 +36,7 @@ class SecondaryLight {
     SecondaryLight(const SecondaryRays& secondary_rays, std::span<const Plume> plumes,
                    std::span<const Band> bands, const RadianceInput& input,
                    const SecondaryOptions& options = {});
-    /// Uses the light of a whole picture, whose facets were lit with seen_facets().
+    /// Uses the light of a whole picture, whose facets were lit with seen_surfaces().
     ///
     /// - first: number of the facets before those of the secondary rays
     SecondaryLight(const SecondaryRays& secondary_rays, std::span<const Plume> plumes,

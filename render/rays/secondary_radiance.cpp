@@ -152,7 +152,7 @@ class NodeSum {
             return from_surface(std::move(glow));
         }
         const TermsByOrigin terms =
-            radiosity_by_origin(input_, FacetId{secondary.what}, band_.node_um, 2, scattered_);
+            radiosity_by_origin(input_, secondary.surface(), band_.node_um, 2, scattered_);
         if (!secondary.closed && material(secondary).needs_rays())
             return directional(secondary, terms);
         LightByOrigin sent;
@@ -192,7 +192,7 @@ class NodeSum {
 
     void add_sunlight(const SecondaryRay& secondary, std::span<const DirectionalOptics> seen,
                       std::vector<double>& sent) const {
-        const FacetId facet{secondary.what};
+        const SurfaceId facet = secondary.surface();
         const double sunlight = sunlight_on(input_, facet);
         if (!(sunlight > 0.0)) return;
         const Material& of = material(secondary);

@@ -4,22 +4,20 @@
 
 namespace diurna {
 
-std::vector<FacetId> facets_of(const SecondaryRays& secondary_rays) {
-    std::vector<std::uint32_t> seen;
+std::vector<SurfaceId> surfaces_of(const SecondaryRays& secondary_rays) {
+    std::vector<SurfaceId> seen;
     for (const SecondaryRay& secondary : secondary_rays.secondary) {
-        if (secondary.kind == SecondaryRay::Kind::facet) seen.push_back(secondary.what);
+        if (secondary.kind == SecondaryRay::Kind::facet) seen.push_back(secondary.surface());
     }
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    std::vector<FacetId> facets;
-    for (const std::uint32_t f : seen) facets.push_back(FacetId{f});
-    return facets;
+    return seen;
 }
 
-std::vector<FacetId> seen_facets(std::span<const FacetId> targets,
-                                 const SecondaryRays& secondary_rays) {
-    std::vector<FacetId> seen(targets.begin(), targets.end());
-    const std::vector<FacetId> of_secondary_rays = facets_of(secondary_rays);
+std::vector<SurfaceId> seen_surfaces(std::span<const SurfaceId> targets,
+                                     const SecondaryRays& secondary_rays) {
+    std::vector<SurfaceId> seen(targets.begin(), targets.end());
+    const std::vector<SurfaceId> of_secondary_rays = surfaces_of(secondary_rays);
     seen.insert(seen.end(), of_secondary_rays.begin(), of_secondary_rays.end());
     return seen;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "terrain/facets.hpp"
+#include "terrain/texture/surface_id.hpp"
 
 namespace diurna {
 
@@ -18,7 +18,7 @@ struct SecondaryRay {
     Way way = Way::direct;
     bool closed = false;     // facet: rays end here, whatever its material
     bool straight = true;    // on the line of sight: no mirror in the path
-    std::uint32_t what = 0;  // index of the facet or plume
+    std::uint32_t what = 0;  // number of the surface or plume
     std::int32_t before =
         -1;  // the secondary ray before, counted in the pixel's own list; −1: the eye
     float weight = 0.0f;  // share of the pixel
@@ -27,6 +27,8 @@ struct SecondaryRay {
     float cosine = 1.0f;  // facet: of the angle to its normal
     float chord = 0.0f;   // plume [m]
     Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the incoming ray
+
+    SurfaceId surface() const { return SurfaceId{what}; }
 };
 
 /// Hits of the rays of pixels that see a pane, a net, a mirror or a plume: for a static view
@@ -43,10 +45,10 @@ struct SecondaryRays {
     }
 };
 
-/// Every facet in the secondary rays, ascending, each once.
-std::vector<FacetId> facets_of(const SecondaryRays& secondary_rays);
-/// Facets in a picture: the targets of its view, then facets_of() the secondary rays.
-std::vector<FacetId> seen_facets(std::span<const FacetId> targets,
-                                 const SecondaryRays& secondary_rays);
+/// Every surface in the secondary rays, ascending, each once.
+std::vector<SurfaceId> surfaces_of(const SecondaryRays& secondary_rays);
+/// Surfaces in a picture: the targets of its view, then surfaces_of() the secondary rays.
+std::vector<SurfaceId> seen_surfaces(std::span<const SurfaceId> targets,
+                                     const SecondaryRays& secondary_rays);
 
 }  // namespace diurna

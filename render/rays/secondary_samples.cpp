@@ -19,7 +19,7 @@ struct Shares {
 Shares shares_of(const SecondaryScene& scene, const SecondaryRay& secondary) {
     if (secondary.kind == SecondaryRay::Kind::plume) return {0.0, 1.0};
     if (secondary.kind == SecondaryRay::Kind::sky || secondary.closed) return {};
-    const Material& material = scene.material(FacetId{secondary.what});
+    const Material& material = scene.material(secondary.surface());
     if (!material.needs_rays()) return {};
     // Of a rough one what its microfacets do near the normal's angle: enough, and cheap.
     const auto* glossy = std::get_if<Glossy>(&material.finish);

@@ -54,10 +54,10 @@ AirLanes air_of(const SecondaryTables& tables) {
 }
 
 std::vector<std::uint32_t> targets_of(const SecondaryRays& secondary_rays,
-                                      std::span<const FacetId> facets) {
+                                      std::span<const SurfaceId> facets) {
     std::vector<std::uint32_t> target;
     for (const SecondaryRay& secondary : secondary_rays.secondary) {
-        const auto at = std::lower_bound(facets.begin(), facets.end(), FacetId{secondary.what});
+        const auto at = std::lower_bound(facets.begin(), facets.end(), secondary.surface());
         target.push_back(static_cast<std::uint32_t>(at - facets.begin()));
     }
     return target;
@@ -90,7 +90,7 @@ SecondaryTables::SecondaryTables(const SecondaryRays& secondary_rays_of,
       input(light.input),
       options(options_of),
       first(first_of),
-      facet(facets_of(secondary_rays)),
+      facet(surfaces_of(secondary_rays)),
       target(targets_of(secondary_rays, facet)),
       band(light.band),
       lanes(band),
@@ -113,7 +113,7 @@ void SecondaryTables::fill_materials() {
     angle.resize(input.materials.size());
     room.resize(input.materials.size());
     std::vector<bool> met(input.materials.size(), false);
-    for (const FacetId f : facet) met[index(input.facets.material[index(f)])] = true;
+    for (const SurfaceId f : facet) met[index(input.facets.material[index(f)])] = true;
     for (std::size_t m = 0; m < input.materials.size(); ++m) {
         const Material& of = input.materials[MaterialId{static_cast<std::uint16_t>(m)}];
         if (!met[m] || !of.needs_rays()) continue;

@@ -30,7 +30,7 @@ struct MirroredBackground {
 /// channels of all bands side by side (lanes), so that a secondary ray's table position is computed
 /// once for all of them.
 struct SecondaryTables {
-    /// - light: of a scene whose lit facets include those of the secondary rays, facets_of(),
+    /// - light: of a scene whose lit facets include those of the secondary rays, surfaces_of(),
     ///   from index `first` on
     SecondaryTables(const SecondaryRays& secondary_rays, std::span<const Plume> plumes,
                     const SceneLight& light, std::size_t first, const SecondaryOptions& options);
@@ -42,7 +42,7 @@ struct SecondaryTables {
     const RadianceInput& input;
     SecondaryOptions options;
     std::size_t first;
-    std::vector<FacetId> facet;         // met by the secondary rays
+    std::vector<SurfaceId> facet;       // met by the secondary rays
     std::vector<std::uint32_t> target;  // (secondary ray) index of its facet above
     const std::vector<BandLight>& band;
     ChannelLanes lanes;

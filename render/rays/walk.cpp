@@ -53,7 +53,7 @@ class Walk {
                 return;
             }
             if (hit.copy != no_copy) {  // has no textures
-                if (!add_facet(walker, hit.facet, hit.copy, far)) return;
+                if (!add_surface(walker, own_surface(hit.facet), hit.copy, far)) return;
                 continue;
             }
             const Blend blend = blend_at(walker, hit.facet, far);
@@ -61,7 +61,7 @@ class Walk {
                 add_both(walker, blend, far);
                 return;
             }
-            if (!add_facet(walker, one_of(blend), no_copy, far)) return;
+            if (!add_surface(walker, one_of(blend), no_copy, far)) return;
         }
     }
 
@@ -94,7 +94,7 @@ class Walk {
     }
 
     Blend blend_at(const Walker& walker, FacetId facet, double far) const {
-        if (scene_.textured == nullptr) return {facet, facet};
+        if (scene_.textured == nullptr) return {own_surface(facet), own_surface(facet)};
         return scene_.textured->at(facet, walker.origin, walker.direction, far, walker.walked);
     }
 
@@ -105,7 +105,7 @@ class Walk {
         return blend.second_share > 0.0f && blend.second_share != 1.0f && !lets_on(blend);
     }
     /// Of a facet that does not end on both.
-    FacetId one_of(const Blend& blend) {
+    SurfaceId one_of(const Blend& blend) {
         if (blend.second_share == 0.0f) return blend.first;
         if (!lets_on(blend)) return blend.second;
         return chance_() < double{blend.second_share} ? blend.second : blend.first;
@@ -115,7 +115,7 @@ class Walk {
         const Eigen::Vector3d normal = scene_.facets.normal[index(blend.first)].cast<double>();
         for (const bool second : {false, true}) {
             SecondaryRay secondary{.kind = SecondaryRay::Kind::facet};
-            secondary.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
+            secondary.what = number(second ? blend.second : blend.first);
             secondary.cosine = static_cast<float>(std::abs(normal.dot(walker.direction)));
             Walker ends = walker;
             add(ends, secondary, far);
@@ -124,15 +124,14 @@ class Walk {
     }
 
     /// Returns whether the walker goes on through it; what it mirrors is followed here.
-    bool add_facet(Walker& walker, FacetId facet, std::uint32_t copy, double far) {
-        const Material& material = scene_.material(facet);
+    bool add_surface(Walker& walker, SurfaceId surface, std::uint32_t copy, double far) {
+        const Material& material = scene_.material(surface);
         const auto* glossy = std::get_if<Glossy>(&material.finish);
         Eigen::Vector3d normal =
-            scene_.rays.copies().turned(copy, scene_.facets.normal[index(facet)].cast<double>());
+            scene_.rays.copies().turned(copy, scene_.facets.normal[index(surface)].cast<double>());
         if (glossy && glossy->waves) normal = Eigen::Vector3d::UnitZ();  // water lies level
         if (normal.dot(walker.direction) > 0.0) normal = -normal;
-        SecondaryRay secondary{.kind = SecondaryRay::Kind::facet,
-                               .what = static_cast<std::uint32_t>(index(facet))};
+        SecondaryRay secondary{.kind = SecondaryRay::Kind::facet, .what = number(surface)};
         secondary.cosine = static_cast<float>(-normal.dot(walker.direction));
         secondary.closed = (material.see_through && walker.through >= most_through) ||
                            (glossy && walker.mirrored >= most_mirrored);

@@ -24,10 +24,10 @@ struct SecondaryScene {
     const TexturedHit* textured = nullptr;  // null: no textures
     double wind_speed = 3.0;                // [m s⁻¹] over water (materials/matter/waves.hpp)
 
-    const Material& material(FacetId facet) const {
-        return materials[facets.material[index(facet)]];
+    const Material& material(SurfaceId surface) const {
+        return materials[facets.material[index(surface)]];
     }
-    bool needs_rays(FacetId facet) const { return material(facet).needs_rays(); }
+    bool needs_rays(SurfaceId surface) const { return material(surface).needs_rays(); }
 };
 
 /// Rays in the lobe of the first rough mirror.

@@ -29,7 +29,7 @@ double variance(const View& view, std::size_t pixel, std::span<const Appearance>
         const double base = double{appearance.sky};
         for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
             const Sighting& s = view.sighting[k];
-            add(double{s.weight}, double{appearance.facet[index(view.facet[s.target])]} - base);
+            add(double{s.weight}, double{appearance.facet[index(view.surface[s.target])]} - base);
         }
         worst = std::max(worst, squares - sum * sum);
     }

@@ -65,18 +65,18 @@ void widen(ViewExtent& extent, const ViewExtent& other, bool any_targets, bool o
 
 void add_view(View& view, const View& more, std::span<const float> share) {
     assert(view.pixels() == more.pixels() && view.pixels() == share.size());
-    const auto first = static_cast<std::uint32_t>(view.facet.size());
+    const auto first = static_cast<std::uint32_t>(view.surface.size());
     add_sightings(view, more, share, first);
     const auto append = [](auto& to, const auto& from) {
         to.insert(to.end(), from.begin(), from.end());
     };
-    append(view.facet, more.facet);
+    append(view.surface, more.surface);
     append(view.copy, more.copy);
     append(view.range, more.range);
     append(view.range_root, more.range_root);
     append(view.target_height, more.target_height);
     view.rays += more.rays;
-    widen(view.extent, more.extent, first > 0, !more.facet.empty());
+    widen(view.extent, more.extent, first > 0, !more.surface.empty());
     view.extent.sky_pixels = static_cast<std::size_t>(
         std::count_if(view.sky.begin(), view.sky.end(), [](float sky) { return sky > 0.0f; }));
 }

@@ -34,7 +34,7 @@ void join(const std::vector<TileView>& tiles, View& view) {
     const auto width = static_cast<std::size_t>(view.width);
     std::vector<std::uint32_t> first(tiles.size() + 1, 0);  // target
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        first[t + 1] = first[t] + static_cast<std::uint32_t>(tiles[t].sightings.facet.size());
+        first[t + 1] = first[t] + static_cast<std::uint32_t>(tiles[t].sightings.met.size());
     }
     view.row.assign(view.pixels() + 1, 0);
     const auto each_of_tile = [&](std::size_t t, const auto& body) {
@@ -55,7 +55,7 @@ void join(const std::vector<TileView>& tiles, View& view) {
         1);
     for (std::size_t p = 0; p < view.pixels(); ++p) view.row[p + 1] += view.row[p];
     view.sighting.resize(view.row.back());
-    view.facet.resize(first.back());
+    view.surface.resize(first.back());
     if (!view.copies.empty()) view.copy.resize(first.back(), no_copy);
     view.range.resize(first.back());
     view.range_root.resize(first.back());
@@ -72,10 +72,9 @@ void join(const std::vector<TileView>& tiles, View& view) {
                     s.target += first[t];
                 }
             });
-            for (std::size_t k = 0; k < from.facet.size(); ++k) {
-                const auto met = static_cast<std::uint32_t>(index(from.facet[k]));
-                const auto [facet, copy] = view.copies.at(met);
-                view.facet[first[t] + k] = FacetId{facet};
+            for (std::size_t k = 0; k < from.met.size(); ++k) {
+                const auto [surface, copy] = view.copies.at(from.met[k]);
+                view.surface[first[t] + k] = SurfaceId{surface};
                 if (!view.copy.empty()) view.copy[first[t] + k] = copy;
             }
             std::copy(from.range.begin(), from.range.end(), &view.range[first[t]]);
@@ -89,7 +88,7 @@ ViewExtent extent_of(const std::vector<TileView>& tiles) {
     ViewExtent extent{.near = 1e30f, .far = 0.0f, .low = 1e30f, .high = -1e30f};
     bool any = false;
     for (const TileView& t : tiles) {
-        if (t.sightings.facet.empty()) continue;
+        if (t.sightings.met.empty()) continue;
         any = true;
         extent.near = std::min(extent.near, t.near);
         extent.far = std::max(extent.far, t.far);

@@ -22,10 +22,10 @@ constexpr float least_kelvins = 1e-4f;  // within a facet
 /// Facets at some vertices, in compressed rows.
 class FacetsAtVertex {
  public:
-    FacetsAtVertex(const FacetSet& facets, std::span<const FacetId> chosen)
+    FacetsAtVertex(const FacetSet& facets, std::span<const SurfaceId> chosen)
         : place_(facets.vertex.size(), none) {
         std::uint32_t count = 0;
-        for (const FacetId f : chosen) {
+        for (const SurfaceId f : chosen) {
             for (const std::uint32_t v : facets.corner[index(f)]) {
                 if (place_[v] == none) place_[v] = count++;
             }
@@ -63,7 +63,7 @@ class Alike {
           to_sun_(heat.sun.to_sun.cast<float>()) {
         if (heat.lit.empty() || fraction_.empty()) return;
         known_.assign(facets_.size(), 0);
-        for (const FacetId f : heat.lit) known_[index(f)] = 1;
+        for (const SurfaceId f : heat.lit) known_[index(f)] = 1;
     }
 
     bool operator()(std::size_t a, std::size_t b) const {
@@ -226,12 +226,12 @@ FacetSlope slope_of(std::size_t f, const Surroundings& around, std::span<const f
 }
 
 /// Facets and all with a common corner, ascending, each once.
-std::vector<FacetId> with_neighbours(std::span<const FacetId> chosen, const FacetSet& facets,
-                                     const FacetsAtVertex& at_vertex) {
-    std::vector<FacetId> all(chosen.begin(), chosen.end());
-    for (const FacetId f : chosen) {
+std::vector<SurfaceId> with_neighbours(std::span<const SurfaceId> chosen, const FacetSet& facets,
+                                       const FacetsAtVertex& at_vertex) {
+    std::vector<SurfaceId> all(chosen.begin(), chosen.end());
+    for (const SurfaceId f : chosen) {
         for (const std::uint32_t v : facets.corner[index(f)]) {
-            for (const std::uint32_t other : at_vertex[v]) all.push_back(FacetId{other});
+            for (const std::uint32_t other : at_vertex[v]) all.push_back(SurfaceId{other});
         }
     }
     std::sort(all.begin(), all.end());
@@ -241,9 +241,9 @@ std::vector<FacetId> with_neighbours(std::span<const FacetId> chosen, const Face
 
 }  // namespace
 
-std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const FacetHeat& heat) {
+std::vector<FacetSlope> facet_slopes(std::span<const SurfaceId> chosen, const FacetHeat& heat) {
     const FacetSet& facets = heat.sun.facets;
-    const std::vector<FacetId> around =
+    const std::vector<SurfaceId> around =
         with_neighbours(chosen, facets, FacetsAtVertex(facets, chosen));
     const FacetsAtVertex at_vertex(facets, around);
     const Alike alike(heat);
@@ -263,10 +263,10 @@ std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const Face
 LinearFacets linear_facets(const View& view, const Observer& observer, const FacetHeat& heat) {
     const FacetSet& facets = heat.sun.facets;
     LinearFacets out;
-    std::vector<FacetId> chosen;
-    for (std::size_t t = 0; t < view.facet.size(); ++t) {
+    std::vector<SurfaceId> chosen;
+    for (std::size_t t = 0; t < view.surface.size(); ++t) {
         const auto target = static_cast<std::uint32_t>(t);
-        if (view.copy_of(target) == no_copy) chosen.push_back(view.facet[t]);
+        if (view.copy_of(target) == no_copy) chosen.push_back(view.surface[t]);
     }
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
@@ -288,21 +288,19 @@ LinearFacets linear_facets(const View& view, const Observer& observer, const Fac
             const double column = double(p % width) + 0.5, row = double(p / width) + 0.5;
             const Eigen::Vector3d from = observer.position + eye.start(column, row);
             const Eigen::Vector3d to = eye.towards(column, row);
-            const auto warmer = [&](FacetId facet, float range) {
-                const FacetSlope* const slope = of_facet[index(facet)];
+            const auto warmer = [&](SurfaceId surface, float range) {
+                const FacetSlope* const slope = of_facet[index(surface)];
                 if (slope == nullptr) return 0.0f;
                 const Eigen::Vector3f at = (from + double{range} * to).cast<float>();
-                return slope->at(at - facets.centroid[index(facet)]);
+                return slope->at(at - facets.centroid[index(surface)]);
             };
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
                 if (view.copy_of(s.target) != no_copy) continue;
-                out.warmer[k] = warmer(view.facet[s.target], view.range_of(s));
+                out.warmer[k] = warmer(view.surface[s.target], view.range_of(s));
             }
             if (view.centre[p] == no_facet || view.copy_at(p) != no_copy) continue;
-            const FacetId centre =
-                view.centre_blend.empty() ? view.centre[p] : view.centre_blend[p].first;
-            out.warmer_centre[p] = warmer(centre, view.centre_range[p]);
+            out.warmer_centre[p] = warmer(view.surfaces_at(p).first, view.centre_range[p]);
         }
     });
     return out;

@@ -36,7 +36,7 @@ struct FacetHeat {
     std::span<const float> temperature;  // (facet) [K]
     /// Facets whose share of the sun is known; the others count as in the same light as their
     /// neighbours. Empty: all.
-    std::span<const FacetId> lit{};
+    std::span<const SurfaceId> lit{};
 };
 
 /// Slopes of chosen facets: through the temperatures of their corners, each the value
@@ -52,7 +52,7 @@ struct FacetHeat {
 /// cosine of incidence, differ by less than 0.02.
 ///
 /// returns  (chosen)
-std::vector<FacetSlope> facet_slopes(std::span<const FacetId> chosen, const FacetHeat& heat);
+std::vector<FacetSlope> facet_slopes(std::span<const SurfaceId> chosen, const FacetHeat& heat);
 
 /// Temperature of surfaces where pixels see them, relative to their facets' own.
 struct LinearFacets {

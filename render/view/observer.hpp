@@ -6,21 +6,11 @@
 #include <span>
 #include <string>
 
+#include "render/view/projection.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
-
-/// Projection of directions to positions in the picture; θ is the angle from the optical axis, r
-/// the distance from the picture's middle.
-enum class Projection {
-    pinhole,       // r = f tan θ
-    equidistant,   // r = f θ: a fisheye with radius proportional to angle
-    equisolid,     // r = 2 f sin(θ/2): a fisheye whose pixels have equal solid angles
-    panorama,      // columns are azimuths, rows elevations, in equal steps; the axis' elevation and
-                   // roll rotate it as a whole
-    orthographic,  // parallel rays from a plane through the position, across the axis
-};
 
 /// A camera: pose, projection, field of view, size of its picture, and motion during exposure.
 ///

@@ -6,6 +6,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/two_sides.hpp"
 
 namespace diurna {
@@ -136,11 +137,8 @@ void set_pixel_heat(const View& view, const SunOverFacets& sun, const MaterialLi
                     std::span<const float> temperature, const TextureLevels* levels,
                     PixelSun& pixels) {
     if (pixels.sighting.empty()) return;
-    const bool textured = levels != nullptr && !levels->empty();
     std::vector<std::uint8_t> crossed = pixels.crossed;
-    for (std::size_t f = crossed.size(); textured && f < sun.facets.size(); ++f) {
-        crossed.push_back(crossed[levels->origin[f]]);
-    }
+    if (levels != nullptr) crossed = on_surfaces(*levels, std::move(crossed));
     const std::span<const float> mean = sun.past ? std::span(sun.past->share) : sun.fraction;
     const std::vector<float>& share = sun.past ? pixels.past_share : pixels.share;
     const std::vector<float> kelvins =
@@ -148,7 +146,7 @@ void set_pixel_heat(const View& view, const SunOverFacets& sun, const MaterialLi
                        most_kelvins_of_sun(sun.facets, materials, sun.to_sun, temperature));
     pixels.warmer.resize(pixels.sighting.size());
     for (std::size_t e = 0; e < pixels.warmer.size(); ++e) {
-        const std::size_t facet = index(view.facet[view.sighting[pixels.sighting[e]].target]);
+        const std::size_t facet = index(view.surface[view.sighting[pixels.sighting[e]].target]);
         pixels.warmer[e] = kelvins[facet] * (share[e] - mean[facet]);
     }
 }

@@ -19,8 +19,7 @@ Eigen::Vector3d PixelRays::still(double at_column, double at_row) const {
     }
     const double r = std::hypot(x, y);
     if (r < 1e-12) return axis;
-    const double angle =
-        projection == Projection::equidistant ? r : 2.0 * std::asin(std::min(1.0, 0.5 * r));
+    const double angle = fisheye_angle(projection, r);
     return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
 }
 
@@ -60,14 +59,9 @@ namespace {
 /// From the picture's left edge to the right in the unit of PixelRays::per_pixel.
 double picture_across(const Observer& observer) {
     const double fov = radians(observer.horizontal_fov_deg);
-    switch (observer.projection) {
-        case Projection::orthographic:
-            return observer.picture_width;
-        case Projection::equisolid:
-            return 4.0 * std::sin(0.25 * fov);
-        default:
-            return fov;
-    }
+    if (observer.projection == Projection::orthographic) return observer.picture_width;
+    if (!is_fisheye(observer.projection)) return fov;
+    return 2.0 * fisheye_radius(observer.projection, 0.5 * fov);
 }
 
 }  // namespace

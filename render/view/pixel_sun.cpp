@@ -19,11 +19,11 @@ constexpr std::size_t sun_lanes = RayBundles::lanes;
 constexpr double golden = 0.6180339887498949;  // its multiples fill an interval evenly
 constexpr float all_or_nothing = 0.02f;        // shares that near to 0 or 1 count as these
 
-/// The facet that rays know in the place of each.
+/// The facet on which a surface lies.
 struct InPlace {
     const TextureLevels* levels;
-    std::size_t operator()(FacetId facet) const {
-        return levels == nullptr || levels->empty() ? index(facet) : levels->origin[index(facet)];
+    std::size_t operator()(SurfaceId surface) const {
+        return levels == nullptr ? index(surface) : index(levels->facet_of(surface));
     }
 };
 
@@ -32,8 +32,8 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
     PixelSun out;
     out.row.push_back(0);
     if (std::find(crossed.begin(), crossed.end(), 1) == crossed.end()) return out;
-    std::vector<std::uint8_t> target(view.facet.size());
-    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.facet[t])];
+    std::vector<std::uint8_t> target(view.surface.size());
+    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.surface[t])];
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             if (target[view.sighting[k].target] != 0) out.sighting.push_back(k);
@@ -44,6 +44,14 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
     }
     return out;
 }
+
+/// The pixels of a view whose sun is found.
+struct SunCast {
+    const View& view;
+    const SunOverFacets& sun;
+    const Observer& observer;
+    std::span<const std::uint8_t> crossed;  // facets_with_edges()
+};
 
 /// Which samples are asked for the sun, and which sun.
 struct Asked {
@@ -56,22 +64,21 @@ struct Asked {
 /// thread.
 class SampleCaster {
  public:
-    SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
-                 const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out,
-                 std::span<std::uint8_t> mixed, Asked asked)
-        : view_(view),
-          sun_(sun),
-          disc_(sun.to_sun),
+    SampleCaster(const SunCast& cast, const PixelSamples& samples, const ViewOptions& options,
+                 Asked asked, PixelSun& out, std::span<std::uint8_t> mixed)
+        : view_(cast.view),
+          sun_(cast.sun),
+          disc_(cast.sun.to_sun),
           samples_(samples),
           seed_(options.seed),
           in_place_{options.texture_levels},
-          crossed_(crossed),
+          crossed_(cast.crossed),
           out_(out),
           mixed_(mixed),
-          past_(asked.past ? sun.past : nullptr),
+          past_(asked.past ? cast.sun.past : nullptr),
           before_(asked.before),
           at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
-          rays_(sun.rays, at_a_time_ * samples.bundles()) {
+          rays_(cast.sun.rays, at_a_time_ * samples.bundles()) {
         rays_.set_origin(samples.origin());
         // One in each row of cells and in each column: rooks a knight's move apart.
         const auto [columns, rows] = nearly_square(options.samples);
@@ -251,7 +258,7 @@ class SampleCaster {
 
     /// Of an entry.
     std::size_t place_of(std::uint32_t entry) const {
-        return in_place_(view_.facet[view_.sighting[out_.sighting[entry]].target]);
+        return in_place_(view_.surface[view_.sighting[out_.sighting[entry]].target]);
     }
     std::uint32_t copy_of(std::uint32_t entry) const {
         return view_.copy_of(view_.sighting[out_.sighting[entry]].target);
@@ -282,17 +289,15 @@ class SampleCaster {
 
 /// Finds all shares of `out`; returns (pixel of out) 1 where samples differ.
 ///
-std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
-                                   const Observer& observer, const ViewOptions& options,
-                                   std::span<const std::uint8_t> crossed, Asked asked,
+std::vector<std::uint8_t> cast_all(const SunCast& of, const ViewOptions& options, Asked asked,
                                    PixelSun& out) {
     std::vector<std::uint8_t> mixed(out.pixel.size(), 0);
     out.share.resize(out.sighting.size());
-    const PixelSamples samples(observer, options.samples, options.seed);
+    const PixelSamples samples(of.observer, options.samples, options.seed);
     constexpr std::size_t grain = 256;
     std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
     for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
-        SampleCaster caster(view, sun, samples, options, crossed, out, mixed, asked);
+        SampleCaster caster(of, samples, options, asked, out, mixed);
         rays[begin / grain] = caster.cast(begin, end);
     });
     out.rays += std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
@@ -322,28 +327,25 @@ constexpr int least_refined = 4;
 
 /// Takes `times` as many samples more in pixels that an edge goes through: sixteen leave 0.04 of
 /// what sun and shade differ by.
-void refine(const View& view, const SunOverFacets& sun, const Observer& observer,
-            const ViewOptions& options, std::span<const std::uint8_t> crossed,
-            std::span<const std::uint8_t> mixed, int times, Asked asked, PixelSun& out) {
+void refine(const SunCast& of, const ViewOptions& options, std::span<const std::uint8_t> mixed,
+            int times, Asked asked, PixelSun& out) {
     std::vector<std::uint32_t> entry;  // (entry of finer) that of out
     PixelSun finer = some_entries(
         out, [&](std::size_t k, std::uint32_t) { return mixed[k] != 0; }, entry);
     ViewOptions more = options;
     more.samples = times * options.samples;
     more.seed = options.seed + golden_step;
-    cast_all(view, sun, observer, more, crossed,
-             {.every = true, .past = asked.past, .before = options.samples}, finer);
+    cast_all(of, more, {.every = true, .past = asked.past, .before = options.samples}, finer);
     const float share = float(times) / float(1 + times);
     for (std::size_t i = 0; i < entry.size(); ++i) {
-        float& of = out.share[entry[i]];
-        of += share * (finer.share[i] - of);
+        float& whole = out.share[entry[i]];
+        whole += share * (finer.share[i] - whole);
     }
     out.rays += finer.rays;
 }
 
 /// Shares over the hours before, of facets that remember them; of the others the present ones.
-void cast_past(const View& view, const SunOverFacets& sun, const Observer& observer,
-               ViewOptions options, std::span<const std::uint8_t> crossed, PixelSun& out) {
+void cast_past(const SunCast& of, ViewOptions options, PixelSun& out) {
     constexpr int least_samples = 16;  // each has one past sun
     options.samples = std::max(options.samples, least_samples);
     const InPlace in_place{options.texture_levels};
@@ -351,14 +353,13 @@ void cast_past(const View& view, const SunOverFacets& sun, const Observer& obser
     PixelSun past = some_entries(
         out,
         [&](std::size_t, std::uint32_t e) {
-            const FacetId facet = view.facet[view.sighting[out.sighting[e]].target];
-            return sun.past->of_facet[in_place(facet)] != PastSun::at_once;
+            const SurfaceId surface = of.view.surface[of.view.sighting[out.sighting[e]].target];
+            return of.sun.past->of_facet[in_place(surface)] != PastSun::at_once;
         },
         entry);
     constexpr Asked asked{.every = true, .past = true};
-    const std::vector<std::uint8_t> mixed =
-        cast_all(view, sun, observer, options, crossed, asked, past);
-    refine(view, sun, observer, options, crossed, mixed, 1, asked, past);
+    const std::vector<std::uint8_t> mixed = cast_all(of, options, asked, past);
+    refine(of, options, mixed, 1, asked, past);
     out.past_share = out.share;
     for (std::size_t i = 0; i < entry.size(); ++i) out.past_share[entry[i]] = past.share[i];
     out.rays += past.rays;
@@ -398,12 +399,10 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
                         const ViewOptions& options) {
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
-    const std::vector<std::uint8_t> mixed =
-        cast_all(view, sun, observer, options, crossed, {}, out);
-    if (options.samples >= least_refined) {
-        refine(view, sun, observer, options, crossed, mixed, 3, {}, out);
-    }
-    if (sun.past) cast_past(view, sun, observer, options, crossed, out);
+    const SunCast of{view, sun, observer, crossed};
+    const std::vector<std::uint8_t> mixed = cast_all(of, options, {}, out);
+    if (options.samples >= least_refined) refine(of, options, mixed, 3, {}, out);
+    if (sun.past) cast_past(of, options, out);
     out.crossed = std::move(crossed);
     return out;
 }

@@ -31,8 +31,7 @@ std::optional<Eigen::Vector2d> place_of(const PixelRays& eye, const Eigen::Vecto
     if (across < 1e-12 * std::abs(deep)) {
         return deep > 0.0 ? std::optional(middle) : std::nullopt;
     }
-    const double r =
-        eye.projection == Projection::equidistant ? angle : 2.0 * std::sin(0.5 * angle);
+    const double r = fisheye_radius(eye.projection, angle);
     return middle + Eigen::Vector2d(x, y) * (r / (across * eye.per_pixel));
 }
 

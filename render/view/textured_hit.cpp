@@ -19,7 +19,7 @@ Blend TexturedHit::at(FacetId facet, const Eigen::Vector3d& from, const Eigen::V
 
 Blend TexturedHit::over(FacetId facet, const Eigen::Vector3d& place, const Eigen::Vector3d& towards,
                         double range, double wide) const {
-    if (levels_.of_facet[index(facet)].levels < 2) return {facet, facet};
+    if (levels_.surfaces_of(facet).count < 2) return {own_surface(facet), own_surface(facet)};
     const double across = std::abs(levels_.facets.normal[index(facet)].cast<double>().dot(towards));
     const double apart = wide * (parallel_ ? apart_ : apart_ * range);
     return levels_.at(facet, place, apart / std::sqrt(std::max(0.01, across)));

@@ -54,9 +54,8 @@ float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets,
 /// Copies have no textures.
 Blend blend_of(const TexturedHit& textured, const RayBundles& rays, std::size_t ray, float range) {
     const std::uint32_t met = rays.facet[ray];
-    if (Copies::is_copied(met)) return {FacetId{met}, FacetId{met}};
-    return textured.at(FacetId{rays.facet[ray]}, origin_of(rays, ray), direction_of(rays, ray),
-                       double{range});
+    if (Copies::is_copied(met)) return {SurfaceId{met}, SurfaceId{met}};
+    return textured.at(FacetId{met}, origin_of(rays, ray), direction_of(rays, ray), double{range});
 }
 
 /// At the middle of four rays that meet one facet.
@@ -82,11 +81,11 @@ std::size_t group_textured(const TexturedHit& textured, const RayBundles& rays, 
                            const float* level, std::size_t used, std::size_t columns,
                            SampleGroup* groups) {
     std::size_t size = 0;
-    const auto add = [&](FacetId facet, std::uint32_t parts, std::size_t ray, float height) {
+    const auto add = [&](SurfaceId surface, std::uint32_t parts, std::size_t ray, float height) {
         if (parts == 0) return;
         const double samples = double(parts) / one_sample;
-        groups[size] = {static_cast<std::uint32_t>(index(facet)), parts,
-                        samples * double{rays.range[ray]}, samples * double{height}};
+        groups[size] = {number(surface), parts, samples * double{rays.range[ray]},
+                        samples * double{height}};
         size = merge_groups(groups, size, 1);
     };
     const std::size_t first = bundle * lanes;
@@ -141,7 +140,7 @@ class TileCaster::State {
           view_(view) {
         if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
             textured_.emplace(*options.texture_levels, observer, options.samples);
-            view.centre_blend.assign(view.pixels(), {no_facet, no_facet});
+            view.centre_blend.assign(view.pixels(), {own_surface(no_facet), own_surface(no_facet)});
         }
     }
 
@@ -159,7 +158,7 @@ class TileCaster::State {
             });
             TileView& out = tiles[t];
             out.sightings = work.gatherer.finish_tile(all.size());
-            for (std::size_t k = 0; k < out.sightings.facet.size(); ++k) {
+            for (std::size_t k = 0; k < out.sightings.met.size(); ++k) {
                 out.near = std::min(out.near, out.sightings.range[k]);
                 out.far = std::max(out.far, out.sightings.range[k]);
                 out.low = std::min(out.low, out.sightings.height[k]);
@@ -267,7 +266,7 @@ class TileCaster::State {
             view_.centre_range[pixel] = refined(rays, ray, facets_, view_.copies);
             if (copy != no_copy) {
                 view_.centre_copy[pixel] = copy;
-                if (textured_) view_.centre_blend[pixel] = {FacetId{facet}, FacetId{facet}};
+                if (textured_) view_.centre_blend[pixel] = {SurfaceId{facet}, SurfaceId{facet}};
             } else if (textured_) {
                 view_.centre_blend[pixel] =
                     blend_of(*textured_, rays, ray, view_.centre_range[pixel]);

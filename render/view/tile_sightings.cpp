@@ -181,11 +181,11 @@ TileSightings TileGatherer::finish_tile(std::size_t pixels) {
     tile_.end.resize(pixels, static_cast<std::uint32_t>(tile_.sighting.size()));
     split_deep();
     const std::size_t targets = seen_.size();
-    tile_.facet.resize(targets);
+    tile_.met.resize(targets);
     tile_.range.resize(targets);
     tile_.height.resize(targets);
     for (std::size_t t = 0; t < targets; ++t) {
-        tile_.facet[t] = FacetId{seen_[t].facet};
+        tile_.met[t] = seen_[t].facet;
         tile_.range[t] = static_cast<float>(seen_[t].range / seen_[t].samples);
         tile_.height[t] = static_cast<float>(seen_[t].height / seen_[t].samples);
     }

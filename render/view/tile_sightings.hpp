@@ -38,7 +38,7 @@ std::size_t merge_groups(SampleGroup* groups, std::size_t size, std::size_t more
 struct TileSightings {
     std::vector<Sighting> sighting;
     std::vector<std::uint32_t> end;  // (pixel of the tile) of its sightings
-    std::vector<FacetId> facet;      // (target) numbers
+    std::vector<std::uint32_t> met;  // (target) numbers of surfaces and of copies' facets
     std::vector<float> range, height;
 };
 

@@ -25,7 +25,7 @@ struct ViewOptions {
 
 /// A pixel's view of one target.
 struct Sighting {
-    std::uint32_t target = 0;  // index into View::facet
+    std::uint32_t target = 0;  // index into View::surface
     float weight = 0.0f;       // share of the pixel, 0 to 1
     float deeper = 0.0f;       // [m] range beyond the target's, mean over the samples that hit
     float higher = 0.0f;       // [m] height above the target's
@@ -42,15 +42,15 @@ struct ViewExtent {
 /// Visible facets of every pixel of an observer, cast once and valid for every instant and band
 /// while nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
 ///
-/// A target is a facet seen in a tile of 32 x 32 pixels, or a part of it if it is so deep that the
-/// air in front of it is not linear in range and height: parts span at most 1/128 of an octave of
-/// range and 16 m of height. So a target's radiance at the eye is computed once, with two slopes.
-/// Targets are numbered tile by tile in order of appearance, so that neighbours in the picture are
-/// neighbours in memory; a facet on a border of tiles has several.
+/// A target is a surface seen in a tile of 32 x 32 pixels, or a part of it if it is so deep that
+/// the air in front of it is not linear in range and height: parts span at most 1/128 of an octave
+/// of range and 16 m of height. So a target's radiance at the eye is computed once, with two
+/// slopes. Targets are numbered tile by tile in order of appearance, so that neighbours in the
+/// picture are neighbours in memory; a surface on a border of tiles has several.
 struct View {
     int width = 0, height = 0;
-    std::size_t facets = 0;            // of the scene it was cast on
-    std::vector<FacetId> facet;        // (target)
+    std::size_t facets = 0;            // of the scene it was cast on: surfaces
+    std::vector<SurfaceId> surface;    // (target)
     std::vector<float> range;          // (target) [m] mean over its sightings
     std::vector<float> range_root;     // (target) [m^⅓] its cube root
     std::vector<float> target_height;  // (target) [m] above the origin's level surface, earth's
@@ -80,6 +80,11 @@ struct View {
     }
     std::uint32_t copy_at(std::size_t pixel) const {
         return centre_copy.empty() ? no_copy : centre_copy[pixel];
+    }
+    /// Surfaces at a pixel's centre, where it sees a facet.
+    Blend surfaces_at(std::size_t pixel) const {
+        if (!centre_blend.empty()) return centre_blend[pixel];
+        return {own_surface(centre[pixel]), own_surface(centre[pixel])};
     }
     /// At a pixel's centre; `of` are the facets it was cast on.
     ObjectId object_at(const FacetSet& of, std::size_t pixel) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <span>
 #include <string_view>
 
 #include "scenes/studies/study_request.hpp"
@@ -15,7 +15,8 @@ struct StudyKind {
     const char* temperatures;  // meaning of `--temperatures`; null: not available
 };
 
-const std::array<StudyKind, 5>& study_kinds();
+/// All of them, in the order of the list of commands.
+std::span<const StudyKind> study_kinds();
 
 /// Throws InputError if there is no study of that name.
 const StudyKind& study_kind(std::string_view word);

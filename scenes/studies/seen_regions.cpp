@@ -43,11 +43,11 @@ class Membership {
         }
     }
 
-    bool has(FacetId facet, std::uint32_t copy, const Copies& copies) const {
-        const bool material = wanted_material_[index(surfaces_.material[index(facet)])] != 0;
+    bool has(SurfaceId surface, std::uint32_t copy, const Copies& copies) const {
+        const bool material = wanted_material_[index(surfaces_.material[index(surface)])] != 0;
         if (region_.kind == RegionInput::Kind::material) return material;
         const ObjectId object =
-            copy == no_copy ? surfaces_.object[index(facet)] : copies[copy].object;
+            copy == no_copy ? surfaces_.object[index(surface)] : copies[copy].object;
         return object == object_ && material;
     }
 
@@ -76,14 +76,14 @@ View first_seen(const Prepared& prepared, const Series& series) {
     return cast_view(prepared.rays, prepared.world.surfaces(), series.observer, series.sampling);
 }
 
-std::vector<FacetId> facets_of(const Prepared& prepared, const RegionInput& region) {
-    std::vector<FacetId> found;
+std::vector<SurfaceId> surfaces_of(const Prepared& prepared, const RegionInput& region) {
+    std::vector<SurfaceId> found;
     if (region.kind == RegionInput::Kind::pixels) return found;
     const Membership member(prepared, region);
     const std::size_t facets = prepared.world.surfaces().size();
     for (std::size_t f = 0; f < facets; ++f) {
-        const FacetId facet{static_cast<std::uint32_t>(f)};
-        if (member.has(facet, no_copy, prepared.world.copies)) found.push_back(facet);
+        const SurfaceId surface = surface_id(f);
+        if (member.has(surface, no_copy, prepared.world.copies)) found.push_back(surface);
     }
     return found;
 }
@@ -99,7 +99,7 @@ std::vector<float> region_cover(const View& view, const Prepared& prepared,
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
             const std::uint32_t target = view.sighting[s].target;
-            if (!member.has(view.facet[target], view.copy_of(target), view.copies)) continue;
+            if (!member.has(view.surface[target], view.copy_of(target), view.copies)) continue;
             cover[p] += view.sighting[s].weight;
         }
     }

@@ -17,9 +17,9 @@ namespace diurna {
 /// a mirror or a plume, whose rays are followed (render/rays/follow_rays.hpp).
 View first_seen(const Prepared& prepared, const Series& series);
 
-/// Facets of a region's surfaces, ascending; pixel rectangles have none, and copies those of the
+/// A region's surfaces, ascending; pixel rectangles have none, and copies those of the
 /// original object.
-std::vector<FacetId> facets_of(const Prepared& prepared, const RegionInput& region);
+std::vector<SurfaceId> surfaces_of(const Prepared& prepared, const RegionInput& region);
 
 /// (pixel) share of a view's pixels that a region fills.
 std::vector<float> region_cover(const View& view, const Prepared& prepared,

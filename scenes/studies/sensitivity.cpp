@@ -28,9 +28,9 @@ double mean_temperature(const Prepared& prepared, const RegionInput& region,
     const FacetSet& surfaces = prepared.world.surfaces();
     const std::vector<float> kelvin = field.interpolate(when);
     double sum = 0.0, area = 0.0;
-    for (const FacetId facet : facets_of(prepared, region)) {
-        sum += double{surfaces.area[index(facet)]} * double{kelvin[index(facet)]};
-        area += double{surfaces.area[index(facet)]};
+    for (const SurfaceId surface : surfaces_of(prepared, region)) {
+        sum += double{surfaces.area[index(surface)]} * double{kelvin[index(surface)]};
+        area += double{surfaces.area[index(surface)]};
     }
     return sum / area;
 }
@@ -104,7 +104,7 @@ void check_output(const Prepared& prepared, const SensitivityOutput& output) {
                          "expected a scene without moving objects, found moving objects");
     }
     if (output.figure == SensitivityFigure::temperature) {
-        if (!facets_of(prepared, output.first).empty()) return;
+        if (!surfaces_of(prepared, output.first).empty()) return;
         throw InputError(output.first.where,
                          fmt::format("\"{}\" has no surface", output.first.name));
     }

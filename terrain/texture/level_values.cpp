@@ -23,18 +23,17 @@ class RowsOverLevels {
     void append(std::size_t row) {
         copies_.clear();
         for (std::uint32_t k = solid_.row[row]; k < solid_.row[row + 1]; ++k) {
-            const std::size_t source = index(solid_.facet[k]);
-            const TextureLevels::OfFacet& of_facet = levels_.of_facet[source];
-            of_levels.facet.push_back(solid_.facet[k]);
-            of_levels.factor.push_back(solid_.factor[k] * levels_.share[source]);
-            for (std::uint32_t c = 0; c + 1 < of_facet.levels; ++c) {
-                const std::uint32_t copy = of_facet.first_copy + c;
-                copies_.emplace_back(copy, solid_.factor[k] * levels_.share[copy]);
+            const SurfacesOfFacet source = levels_.surfaces_of(FacetId{solid_.facet[k]});
+            of_levels.facet.push_back(number(source[0]));
+            of_levels.factor.push_back(solid_.factor[k] * levels_.share[index(source[0])]);
+            for (std::uint32_t level = 1; level < source.count; ++level) {
+                const SurfaceId copy = source[level];
+                copies_.emplace_back(number(copy), solid_.factor[k] * levels_.share[index(copy)]);
             }
         }
         std::sort(copies_.begin(), copies_.end());
         for (const auto& [source, factor] : copies_) {
-            of_levels.facet.push_back(FacetId{source});
+            of_levels.facet.push_back(source);
             of_levels.factor.push_back(factor);
         }
         of_levels.row.push_back(static_cast<std::uint32_t>(of_levels.facet.size()));
@@ -67,19 +66,17 @@ std::vector<float> for_all_levels(const TextureLevels& texture_levels,
 }
 
 FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews& solid) {
-    FacetViews all{.sky = for_all_levels(texture_levels, solid.sky),
-                   .below = for_all_levels(texture_levels, solid.below),
+    const auto expanded = [&](const auto& values) {
+        return values.empty() ? values : on_surfaces(texture_levels, values);
+    };
+    FacetViews all{.sky = expanded(solid.sky),
+                   .below = expanded(solid.below),
                    .others = {},
-                   .hidden = for_all_levels(texture_levels, solid.hidden)};
-    const std::size_t n = texture_levels.origin.size();
-    if (!solid.rays.empty()) {
-        for (const std::uint32_t f : texture_levels.origin) all.rays.push_back(solid.rays[f]);
-    }
-    if (!solid.shares.empty()) {
-        for (const std::uint32_t f : texture_levels.origin) all.shares.push_back(solid.shares[f]);
-    }
+                   .hidden = expanded(solid.hidden),
+                   .rays = expanded(solid.rays),
+                   .shares = expanded(solid.shares)};
     if (solid.others.row.empty()) return all;
-    RowsOverLevels rows(texture_levels, solid.others, n);
+    RowsOverLevels rows(texture_levels, solid.others, texture_levels.origin.size());
     for (const std::uint32_t f : texture_levels.origin) rows.append(f);
     all.others = std::move(rows.of_levels);
     return all;

@@ -144,15 +144,13 @@ TextureLevels split_by_texture(const FacetSet& facets, std::vector<Skin> skins,
 
 Blend TextureLevels::at(FacetId facet, const Eigen::Vector3d& place, double spacing) const {
     const OfFacet& here = of_facet[index(facet)];
-    if (here.levels < 2) return {facet, facet};
+    const SurfacesOfFacet surface = surfaces_of(facet);
+    if (here.levels < 2) return {surface[0], surface[0]};
     const double level = std::clamp(
         level_at(skin[here.skin], place, facets.normal[index(facet)], spacing) - here.first_level,
         0.0, double(here.levels - 1));
     const auto below = std::min(static_cast<std::uint32_t>(level), here.levels - 2u);
-    const auto surface = [&](std::uint32_t k) {
-        return k == 0 ? facet : FacetId{here.first_copy + k - 1};
-    };
-    return {surface(below), surface(below + 1), static_cast<float>(level - double(below))};
+    return {surface[below], surface[below + 1], static_cast<float>(level - double(below))};
 }
 
 }  // namespace diurna

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "terrain/facets.hpp"
+#include "terrain/texture/surface_id.hpp"
 #include "terrain/texture/texture.hpp"
 
 namespace diurna {
@@ -20,9 +21,9 @@ struct Skin {
 };
 inline constexpr std::uint16_t no_skin = 0xFFFF;
 
-/// Facets at a place: a share `second_share` is one of them, the rest the other.
+/// Surfaces at a place: a share `second_share` is one of them, the rest the other.
 struct Blend {
-    FacetId first, second;
+    SurfaceId first, second;
     float second_share = 0.0f;
 };
 
@@ -35,17 +36,23 @@ struct Blend {
 /// and midnight, tests/scenes/textured_scene_test.cpp), growing with the square of the distance.
 ///
 /// The first of a facet's levels has the facet's own number, the others are appended after all
-/// facets known to rays, with areas and view factors by their shares of the facet.
+/// facets known to rays, with areas and view factors by their shares of the facet. Numbers of
+/// facets and of surfaces are converted here and in surface_id.hpp alone.
 struct TextureLevels {
     std::size_t solid = 0;              // facets known to rays, the first of all
-    FacetSet facets;                    // all of them
-    std::vector<std::uint32_t> origin;  // (facet) the solid facet at its place
-    std::vector<float> share;           // (facet) of the place
+    FacetSet facets;                    // one for each surface
+    std::vector<std::uint32_t> origin;  // (surface) the solid facet at its place
+    std::vector<float> share;           // (surface) of the place
 
     bool empty() const { return of_facet.empty(); }  // no textures: nothing else is set
-    /// The solid facet, as rays know it, at the place of one of all facets.
-    std::uint32_t solid_of(std::size_t facet) const {
-        return empty() ? static_cast<std::uint32_t>(facet) : origin[facet];
+    /// The facet, as rays know it, on which a surface lies.
+    FacetId facet_of(SurfaceId surface) const {
+        return empty() ? FacetId{number(surface)} : FacetId{origin[index(surface)]};
+    }
+    SurfacesOfFacet surfaces_of(FacetId facet) const {
+        if (empty()) return {facet};
+        const OfFacet& of = of_facet[index(facet)];
+        return {facet, of.first_copy, of.levels};
     }
     /// spacing  [m] to the next place requested
     Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;

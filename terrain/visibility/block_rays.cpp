@@ -56,7 +56,7 @@ void BlockRays::sort_by_owner() {
     for (const std::uint32_t of : owner) ++place[of + 1];
     std::partial_sum(place.begin(), place.end(), place.begin());
     std::vector<std::uint32_t> sorted_owner(owner.size());
-    std::vector<Seen> sorted(seen.size(), Seen{FacetId{0}, 0.0f});
+    std::vector<Seen> sorted(seen.size(), Seen{0, 0.0f});
     for (std::size_t k = 0; k < owner.size(); ++k) {
         const std::uint32_t to = place[owner[k]]++;
         sorted_owner[to] = owner[k];
@@ -108,7 +108,7 @@ void BlockRays::ask_which(std::size_t count) {
             continue;
         }
         owner.push_back(owners_[k]);
-        seen.push_back({FacetId{nearest[k]}, 1.0f});
+        seen.push_back({nearest[k], 1.0f});
     }
 }
 
@@ -129,14 +129,14 @@ void BlockRays::follow(std::size_t k) {
          .direction = {packet_.direction_x[k], packet_.direction_y[k], packet_.direction_z[k]}},
         sunlight_, met_);
     for (const RayScene::Met& met : met_) {
-        if (met.facet == no_facet) {
+        if (met.number == index(no_facet)) {
             escaped(owners_[k], packet_.direction_z[k], double{met.share});
             cover(k, -met.share);
         } else if (met.back) {
             hidden[owners_[k]] += double{met.share};
         } else {
             owner.push_back(owners_[k]);
-            seen.push_back({met.facet, met.share});
+            seen.push_back({met.number, met.share});
         }
     }
 }

@@ -61,10 +61,10 @@ class BlockRays {
     std::array<SkyVector, facets_per_block> covered{};
     std::vector<std::uint32_t> owner;  // (hit) facet of the block; rising after finish()
     struct Seen {
-        FacetId facet;  // its number (copies.hpp)
-        float share;    // of a ray
+        std::uint32_t met;  // a facet's number (copies.hpp)
+        float share;        // of a ray
         bool operator<(const Seen& other) const {
-            return facet != other.facet ? facet < other.facet : share < other.share;
+            return met != other.met ? met < other.met : share < other.share;
         }
     };
     std::vector<Seen> seen;  // (hit)

@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "materials/base/parallel.hpp"
-#include "terrain/facets.hpp"
 
 namespace diurna {
 
 /// View factors as rows: facet f sees source[k] with factor[k] for k in [row[f], row[f + 1]).
-template <class Id>
 struct SeenRows {
     std::span<const std::uint32_t> row;
-    std::span<const Id> source;
+    std::span<const std::uint32_t> source;
     std::span<const float> factor;
     std::span<const float> itself = {};  // (facet) view factor to its own group; empty: 0
 
@@ -35,9 +33,6 @@ struct UnsentLight {
 inline constexpr int enough_sweeps = 1000;
 
 namespace interreflection {
-
-inline std::size_t number(std::uint32_t id) { return id; }
-inline std::size_t number(FacetId id) { return index(id); }
 
 struct Sender {
     const float* value;
@@ -80,8 +75,8 @@ inline void gather(std::span<const Sender> senders, std::size_t lanes, float* ou
 ///          per facet and sweep
 /// sweeps   maximum number
 /// returns  sweeps; the same bytes for any number of threads
-template <class Id, class Reflect>
-int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Reflect& reflect,
+template <class Reflect>
+int interreflect(const SeenRows& rows, const UnsentLight& unsent, const Reflect& reflect,
                  int sweeps = enough_sweeps) {
     using interreflection::Sender;
     constexpr std::size_t grain = 512;
@@ -103,7 +98,7 @@ int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Refl
                 };
                 if (!rows.itself.empty() && rows.itself[f] > 0.0f) add(f, rows.itself[f]);
                 for (std::uint32_t k = rows.row[f]; k < rows.row[f + 1]; ++k) {
-                    add(interreflection::number(rows.source[k]), rows.factor[k]);
+                    add(rows.source[k], rows.factor[k]);
                 }
                 reached[f] = !senders.empty();
                 if (reached[f]) interreflection::gather(senders, count, &arrived[f * count]);

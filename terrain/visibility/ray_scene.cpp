@@ -201,12 +201,12 @@ void RayScene::along(const Ray& from, bool sunlight, std::vector<Met>& met) cons
     while (left > too_little) {
         const std::uint32_t number = next(ray);
         if (number == index(no_facet)) {
-            met.push_back({.facet = no_facet, .share = left});
+            met.push_back({.number = number, .share = left});
             return;
         }
         const PassedLight& passed = passed_[side_of(number).material];
         const float here = left * (1.0f - (sunlight ? passed.sunlight : passed.heat));
-        met.push_back({.facet = FacetId{number},
+        met.push_back({.number = number,
                        .back = passed.sheet && cosine(number, ray.direction) > 0.0f,
                        .share = here});
         left -= here;

@@ -50,9 +50,9 @@ class RayScene {
 
     /// A facet along a ray, the nearest first, as long as light continues behind it.
     struct Met {
-        FacetId facet;      // its number; no_facet, the last: the rest escapes
-        bool back = false;  // of a sheet
-        float share;        // of diffuse thermal light or sunlight absorbed here; the sum is one
+        std::uint32_t number;  // index(no_facet), the last: the rest escapes
+        bool back = false;     // of a sheet
+        float share;           // of diffuse thermal light or sunlight absorbed here; the sum is one
     };
     void along(const Ray& ray, bool sunlight, std::vector<Met>& met) const;
     /// Whether a ray that meets this facet needs `along`: light continues, or it may be a back.

@@ -36,8 +36,7 @@ ReceiverRow row_of(const FacetSet& receivers, std::size_t r, const HemisphereRay
                     .below = float(weight * found.below[0]),
                     .hidden = float(weight * found.hidden[0])};
     for (const BlockRays::Seen& seen : found.seen) {
-        const auto met = static_cast<std::uint32_t>(index(seen.facet));
-        row.factor[scene.copies().at(met).facet] += weight * double{seen.share};
+        row.factor[scene.copies().at(seen.met).facet] += weight * double{seen.share};
     }
     const SkyVector open = open_plane(receivers.normal[r]);
     for (std::size_t k = 1; k < sky_functions; ++k) {
@@ -91,7 +90,7 @@ FacetViews receiver_views(std::span<const Receiver> receivers, const FacetSet& f
         views.hidden.push_back(row.hidden);
         views.shares.push_back(row.shares);
         for (const auto& [facet, factor] : row.factor) {
-            views.others.facet.push_back(FacetId{facet});
+            views.others.facet.push_back(facet);
             views.others.factor.push_back(float(factor));
         }
         views.others.row.push_back(static_cast<std::uint32_t>(views.others.facet.size()));

@@ -33,12 +33,12 @@ Rows transposed(const ViewFactors& factors) {
     rows.first.assign(n + 1, 0);
     rows.partner.resize(factors.facet.size());
     rows.value.resize(factors.facet.size());
-    for (const FacetId f : factors.facet) ++rows.first[index(f) + 1];
+    for (const std::uint32_t f : factors.facet) ++rows.first[f + 1];
     for (std::size_t f = 0; f < n; ++f) rows.first[f + 1] += rows.first[f];
     std::vector<std::uint32_t> next(rows.first.begin(), rows.first.end() - 1);
     for (std::size_t f = 0; f < n; ++f) {
         for (auto k = factors.row[f]; k < factors.row[f + 1]; ++k) {
-            const std::uint32_t at = next[index(factors.facet[k])]++;
+            const std::uint32_t at = next[factors.facet[k]]++;
             rows.partner[at] = static_cast<std::uint32_t>(f);
             rows.value[at] = factors.factor[k];
         }
@@ -75,9 +75,9 @@ void add_copied(FacetViews& views) {
         while (a < own.row[f + 1] || b < copied.row[f + 1]) {
             const bool is_own = a < own.row[f + 1];
             const bool is_copied = b < copied.row[f + 1];
-            const FacetId facet = !is_copied ? own.facet[a]
-                                  : !is_own  ? copied.facet[b]
-                                             : std::min(own.facet[a], copied.facet[b]);
+            const std::uint32_t facet = !is_copied ? own.facet[a]
+                                        : !is_own  ? copied.facet[b]
+                                                   : std::min(own.facet[a], copied.facet[b]);
             float factor = 0.0f;
             if (is_own && own.facet[a] == facet) factor += own.factor[a++];
             if (is_copied && copied.facet[b] == facet) factor += copied.factor[b++];
@@ -108,8 +108,7 @@ Rows hits_of_pairs(std::span<const double> area_of, const FacetViews& views, dou
         auto b = seen_by.first[f];
         while (a < seen.row[f + 1] || b < seen_by.first[f + 1]) {
             const auto none = static_cast<std::uint32_t>(area_of.size());
-            const std::uint32_t from_a =
-                a < seen.row[f + 1] ? static_cast<std::uint32_t>(index(seen.facet[a])) : none;
+            const std::uint32_t from_a = a < seen.row[f + 1] ? seen.facet[a] : none;
             const std::uint32_t from_b = b < seen_by.first[f + 1] ? seen_by.partner[b] : none;
             const std::uint32_t partner = std::min(from_a, from_b);
             double hits = 0.0;  // both ways
@@ -252,7 +251,7 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) {
             const std::uint32_t partner = pairs.partner[k];
             const double shared = areas.of(f, k) * std::min(shrink[f], shrink[partner]);
-            factors.facet[k] = FacetId{partner};
+            factors.facet[k] = partner;
             factors.factor[k] = static_cast<float>(shared / area[f]);
             row += factors.factor[k];
         }

@@ -77,16 +77,23 @@ class SunRays {
     int columns_, rows_;
 };
 
+/// Rays from facets to the sun.
+struct SunOverScene {
+    const FacetSet& facets;
+    const RayScene& scene;
+    const Eigen::Vector3d& direction;
+    const SunFractionOptions& options;
+};
+
 /// Sets the share of chosen facets to the mean of some samples.
-void sample(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
-            std::span<const std::uint32_t> chosen, std::span<float> fraction,
-            const SunFractionOptions& options, int samples, int first) {
+void sample(const SunOverScene& over, std::span<const std::uint32_t> chosen,
+            std::span<float> fraction, int samples, int first) {
     for (const std::uint32_t f : chosen) fraction[f] = 0.0f;
     for_each_block(chosen.size(), facets_per_sun_block, [&](std::size_t begin, std::size_t end) {
-        SunRays sun(facets, direction, options, samples, first);
+        SunRays sun(over.facets, over.direction, over.options, samples, first);
         for (std::size_t k = begin; k < end; ++k) sun.append(chosen[k]);
         std::vector<float> share(sun.rays.size());
-        scene.beam(sun.rays, share);
+        over.scene.beam(sun.rays, share);
         for (std::size_t i = 0; i < share.size(); ++i) fraction[sun.owner[i]] += share[i];
         for (std::size_t k = begin; k < end; ++k) {
             fraction[chosen[k]] /= static_cast<float>(samples);
@@ -137,13 +144,13 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
         for (const std::uint32_t f : chosen) fraction[f] = 0.0f;
         return;
     }
-    sample(facets, scene, direction, chosen, fraction, options, options.samples, 0);
+    const SunOverScene over{facets, scene, direction, options};
+    sample(over, chosen, fraction, options.samples, 0);
     if (options.edge_samples == 0) return;
     const std::vector<std::uint32_t> edges = at_edges(facets, direction, chosen, fraction);
     std::vector<float> before;
     for (const std::uint32_t f : edges) before.push_back(fraction[f]);
-    sample(facets, scene, direction, edges, fraction, options, options.edge_samples,
-           options.samples);
+    sample(over, edges, fraction, options.edge_samples, options.samples);
     const float share = float(options.samples) / float(options.samples + options.edge_samples);
     for (std::size_t k = 0; k < edges.size(); ++k) {
         fraction[edges[k]] += share * (before[k] - fraction[edges[k]]);

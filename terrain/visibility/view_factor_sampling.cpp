@@ -27,7 +27,7 @@ constexpr double lies_on = 1e-3;              // [m] nothing is between a facet 
 /// One block's rows of view factors.
 struct FactorRows {
     std::vector<std::uint32_t> length;  // (facet of the block)
-    std::vector<FacetId> facet;
+    std::vector<std::uint32_t> facet;
     std::vector<float> factor;
 
     /// Appends a row from the facets that were hit, one entry each, by rising number.
@@ -37,8 +37,8 @@ struct FactorRows {
         for (std::size_t i = 0; i < seen.size();) {
             std::size_t j = i;
             double rays = 0.0;
-            while (j < seen.size() && seen[j].facet == seen[i].facet) rays += seen[j++].share;
-            facet.push_back(seen[i].facet);
+            while (j < seen.size() && seen[j].met == seen[i].met) rays += seen[j++].share;
+            facet.push_back(seen[i].met);
             factor.push_back(static_cast<float>(weight * rays));
             i = j;
         }
@@ -50,11 +50,9 @@ struct FactorRows {
 /// where that begins.
 std::size_t apart(const Copies& copies, std::span<BlockRays::Seen> seen) {
     const auto begin = std::partition(seen.begin(), seen.end(), [](const BlockRays::Seen& s) {
-        return !Copies::is_copied(static_cast<std::uint32_t>(index(s.facet)));
+        return !Copies::is_copied(s.met);
     });
-    std::for_each(begin, seen.end(), [&](BlockRays::Seen& s) {
-        s.facet = FacetId{copies.at(static_cast<std::uint32_t>(index(s.facet))).facet};
-    });
+    std::for_each(begin, seen.end(), [&](BlockRays::Seen& s) { s.met = copies.at(s.met).facet; });
     return static_cast<std::size_t>(begin - seen.begin());
 }
 

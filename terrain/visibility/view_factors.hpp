@@ -8,11 +8,13 @@
 
 namespace diurna {
 
-/// Facet-to-facet view factors in compressed rows: facet f sees facet[k] with factor[k] for k in
-/// [row[f], row[f+1]). A row sums to 1 − sky(f) − the share below the terrain's edge.
+/// View factors in compressed rows: facet f sees facet[k] with factor[k] for k in
+/// [row[f], row[f+1]). Both are plain numbers in one set: the facets that rays meet, or after
+/// for_all_levels() (texture/level_values.hpp) the surfaces. A row sums to 1 − sky(f) − the share
+/// below the terrain's edge.
 struct ViewFactors {
     std::vector<std::uint32_t> row;  // size() + 1
-    std::vector<FacetId> facet;
+    std::vector<std::uint32_t> facet;
     std::vector<float> factor;
 };
 

@@ -17,7 +17,7 @@ double mean_of(const View& view, std::size_t pixel, const Appearance& appearance
     double sum = double{view.sky[pixel]} * double{appearance.sky};
     for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
         const Sighting& s = view.sighting[k];
-        sum += double{s.weight} * double{appearance.facet[index(view.facet[s.target])]};
+        sum += double{s.weight} * double{appearance.facet[index(view.surface[s.target])]};
     }
     return sum;
 }
@@ -59,7 +59,7 @@ TEST_CASE("samples go where the spread is, in proportion", "[render][adaptive]")
     View view;
     view.width = 9;
     view.height = 1;
-    view.facet = {FacetId{0}, FacetId{1}};
+    view.surface = {SurfaceId{0}, SurfaceId{1}};
     view.sky.assign(9, 0.0f);
     view.row = {0};
     for (int p = 0; p < 9; ++p) {

@@ -260,7 +260,7 @@ TEST_CASE("a sphere over a plate irradiates it by the inverse square",
             const double factor = radius * radius * (to.z() / to.norm()) / to.squaredNorm();
             expected += ((1.0 - reflectance) * plate + reflectance * factor * sphere) / 16.0;
             for (const double term :
-                 radiance_at_eye(input, lwir, {5.0, FacetId{std::uint32_t(facet)}, 5.0, 0.0})) {
+                 radiance_at_eye(input, lwir, {5.0, SurfaceId{std::uint32_t(facet)}, 5.0, 0.0})) {
                 found += term / 16.0;
             }
         }

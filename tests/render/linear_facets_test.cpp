@@ -58,8 +58,8 @@ struct Field {
     }
     std::vector<FacetSlope> slopes(const std::vector<float>& temperature) const {
         const RayScene rays(facets);
-        std::vector<FacetId> all;
-        for (std::size_t f = 0; f < facets.size(); ++f) all.push_back(FacetId{std::uint32_t(f)});
+        std::vector<SurfaceId> all;
+        for (std::size_t f = 0; f < facets.size(); ++f) all.push_back(SurfaceId{std::uint32_t(f)});
         return facet_slopes(all,
                             {.sun = {rays, facets, fraction, to_sun}, .temperature = temperature});
     }
@@ -358,7 +358,7 @@ TEST_CASE("ground up to 5 K from its facet's mean emits as that temperature does
     };
     Seen seen(field, temperature(290.0f), eye);
     const auto extreme = [&](const Sighting& s) {
-        const std::size_t f = index(seen.view.facet[s.target]);
+        const std::size_t f = index(seen.view.surface[s.target]);
         return f == 0 || f == last;
     };
     const std::vector<float> steps{-5.0f, -4.0f, -2.5f, -0.7f, 0.0f, 0.3f, 1.8f, 3.7f, 5.0f};

@@ -37,7 +37,7 @@ struct Floor {
         observer.height = 32;
         observer.horizontal_fov_deg = 2.0 * degrees(std::atan(0.32));
     }
-    bool west(FacetId facet) const { return facets.object[index(facet)] == ObjectId{0}; }
+    bool west(SurfaceId facet) const { return facets.object[index(facet)] == ObjectId{0}; }
 
     /// (row)(column) Share of each pixel that sees the western half.
     std::vector<std::vector<double>> western(int samples) const {
@@ -46,7 +46,7 @@ struct Floor {
         for (std::size_t p = 0; p < view.pixels(); ++p) {
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
-                if (west(view.facet[s.target])) share[p / 64][p % 64] += double{s.weight};
+                if (west(view.surface[s.target])) share[p / 64][p % 64] += double{s.weight};
             }
         }
         return share;
@@ -72,8 +72,8 @@ TEST_CASE("rows read one after the other shear what a moving camera sees", "[ren
     const View view = cast_view(RayScene(floor.facets), floor.facets, floor.observer);
     for (std::size_t row = 0; row < 32; ++row) {
         const auto border = static_cast<std::size_t>(std::lround(32.0 - 0.73 * double(row)));
-        CHECK(floor.west(view.centre[64 * row + border - 1]));
-        CHECK_FALSE(floor.west(view.centre[64 * row + border]));
+        CHECK(floor.west(own_surface(view.centre[64 * row + border - 1])));
+        CHECK_FALSE(floor.west(own_surface(view.centre[64 * row + border])));
     }
     // A climb of 1 m a row makes pixels larger, and the border comes nearer to the middle.
     floor.observer.velocity = {0.0, 0.0, 10.0};

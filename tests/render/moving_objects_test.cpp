@@ -58,7 +58,7 @@ struct Scene {
         for (std::size_t p = width; p < 2 * width; ++p) {
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
-                if (facets.object[index(view.facet[s.target])] != ObjectId{1}) continue;
+                if (facets.object[index(view.surface[s.target])] != ObjectId{1}) continue;
                 share[p - width] += double{s.weight};
             }
         }
@@ -123,7 +123,7 @@ TEST_CASE("a camera that moves with the bar sees it sharp and the floor blurred"
         double share = 0.0;
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             const Sighting& s = view.sighting[k];
-            if (scene.facets.object[index(view.facet[s.target])] == ObjectId{2}) {
+            if (scene.facets.object[index(view.surface[s.target])] == ObjectId{2}) {
                 share += double{s.weight};
             }
         }
@@ -143,7 +143,7 @@ TEST_CASE("rows that are read in turn see the bar where it is by then", "[render
         for (std::size_t p = std::size_t(row) * width; p < std::size_t(row + 1) * width; ++p) {
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
-                if (scene.facets.object[index(view.facet[s.target])] != ObjectId{1}) continue;
+                if (scene.facets.object[index(view.surface[s.target])] != ObjectId{1}) continue;
                 all += double{s.weight};
                 middle += double{s.weight} * 0.1 * (double(p % width) - width / 2.0 + 0.5);
             }
@@ -174,7 +174,7 @@ TEST_CASE("the shadow of a moving object is blurred with it", "[render][motion][
         if (found.pixel[k] / width != 1) continue;
         for (std::uint32_t e = found.row[k]; e < found.row[k + 1]; ++e) {
             const Sighting& s = view.sighting[found.sighting[e]];
-            if (scene.facets.object[index(view.facet[s.target])] != ObjectId{0}) continue;
+            if (scene.facets.object[index(view.surface[s.target])] != ObjectId{0}) continue;
             lit[found.pixel[k] % width] += double{s.weight} * double{found.share[e]};
             floor[found.pixel[k] % width] += double{s.weight};
         }

@@ -34,7 +34,7 @@ struct Warmed {
         }
     }
     std::size_t facet(std::size_t e) const {
-        return index(picture.view.facet[picture.view.sighting[picture.sun.sighting[e]].target]);
+        return index(picture.view.surface[picture.view.sighting[picture.sun.sighting[e]].target]);
     }
 };
 

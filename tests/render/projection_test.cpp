@@ -166,7 +166,7 @@ TEST_CASE("an orthographic picture keeps areas", "[render][projection]") {
     const View view = cast_view(scene, facets, observer);
     double seen = 0.0;
     for (const Sighting& s : view.sighting) {
-        if (facets.object[index(view.facet[s.target])] == ObjectId{1}) seen += double{s.weight};
+        if (facets.object[index(view.surface[s.target])] == ObjectId{1}) seen += double{s.weight};
     }
     CHECK(seen / (80.0 * 80.0) == Approx(48.0 / 400.0).margin(1e-3));
     // Its middle lies 5 m east and north of the axis: 20 pixels right and up.

@@ -39,8 +39,7 @@ struct Pair {
         sky.sky = {sky_view, sky_view};
         sky.below = {below, below};
         if (factor > 0.0f) {
-            sky.others = {
-                .row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {factor, factor}};
+            sky.others = {.row = {0, 1, 2}, .facet = {1, 0}, .factor = {factor, factor}};
         } else {
             sky.others = {.row = {0, 0, 0}, .facet = {}, .factor = {}};
         }
@@ -76,8 +75,8 @@ TEST_CASE("an irradiated plate reflects by Lambert's law", "[render][radiance][b
         band_sum_nodes(band, solar_at_nodes(cold_space, 0.0, 55.0, 1.0, band.node_um));
     CHECK(irradiance == Approx(530.0).epsilon(0.05));  // ASTM E490: 0.4-0.7 µm at 1 AU
     const double expected = 0.4 * irradiance * std::cos(radians(55.0)) / std::numbers::pi;
-    const auto full = radiance_at_eye(input, band, {100.0, FacetId{0}, 100.0, 0.0});
-    const auto half = radiance_at_eye(input, band, {100.0, FacetId{1}, 100.0, 0.0});
+    const auto full = radiance_at_eye(input, band, {100.0, SurfaceId{0}, 100.0, 0.0});
+    const auto half = radiance_at_eye(input, band, {100.0, SurfaceId{1}, 100.0, 0.0});
     CHECK(full[std::size_t(Term::sun)] == Approx(expected).epsilon(1e-6));
     CHECK(half[std::size_t(Term::sun)] == Approx(0.5 * expected).epsilon(1e-6));
 }
@@ -88,7 +87,8 @@ TEST_CASE("ground reflects a hot wall", "[render][radiance]") {
     const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 500.0f}, 0.2);
     const Band band = flat_band("3-5", 3.0, 5.0);
     const double ground = band_radiance(band, 290.0), wall = band_radiance(band, 500.0);
-    const auto terms = radiance_at_eye(pair.input(cold_space), band, {50.0, FacetId{0}, 50.0, 0.0});
+    const auto terms =
+        radiance_at_eye(pair.input(cold_space), band, {50.0, SurfaceId{0}, 50.0, 0.0});
     CHECK(terms[std::size_t(Term::emitted)] == Approx(0.8 * ground).epsilon(1e-9));
     CHECK(terms[std::size_t(Term::surroundings)] ==
           Approx(0.2 * 0.3 * (0.8 * wall + 0.06 * (0.8 + 0.06) * ground)).epsilon(1e-6));
@@ -108,7 +108,8 @@ TEST_CASE("two facing plates have the closed form's radiosity",
     const double exchange = reflectance * factor;
     const double exact =
         (emissivity * one + exchange * emissivity * two) / (1.0 - exchange * exchange);
-    const auto terms = radiance_at_eye(pair.input(cold_space), band, {50.0, FacetId{0}, 50.0, 0.0});
+    const auto terms =
+        radiance_at_eye(pair.input(cold_space), band, {50.0, SurfaceId{0}, 50.0, 0.0});
     CAPTURE(reflectance);
     if (reflectance < 0.3) CHECK(total(terms) == Approx(exact).epsilon(1e-3));
     CHECK(std::abs(total(terms) - exact) <= exchange * exchange * exchange * (two - one));
@@ -120,11 +121,12 @@ TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress][by
     const Pair without(0.8f, 0.0f, 0.2f, {290.0f, 400.0f}, 0.3);
     pair.sky.others.factor = {0.0f, 0.0f};
     const Band band = flat_band("8-12", 8.0, 12.0);
-    const auto found = radiance_at_eye(pair.input(cold_space), band, {50.0, FacetId{0}, 50.0, 0.0});
+    const auto found =
+        radiance_at_eye(pair.input(cold_space), band, {50.0, SurfaceId{0}, 50.0, 0.0});
     const auto expected =
-        radiance_at_eye(without.input(cold_space), band, {50.0, FacetId{0}, 50.0, 0.0});
+        radiance_at_eye(without.input(cold_space), band, {50.0, SurfaceId{0}, 50.0, 0.0});
     CHECK(total(found) == Approx(total(expected)).epsilon(1e-12));
-    const std::vector<FacetId> seen = {FacetId{0}, FacetId{1}};
+    const std::vector<SurfaceId> seen = {SurfaceId{0}, SurfaceId{1}};
     CHECK(lit_facets(pair.input(cold_space), seen, {}).factor.empty());
 }
 
@@ -135,7 +137,8 @@ TEST_CASE("ground beyond the scene's edge looks like the surroundings that are t
     const Pair at_edge(0.5f, 0.2f, 0.3f, {290.0f, 310.0f}, 0.3);
     const Pair alone(0.5f, 0.0f, 0.5f, {290.0f, 310.0f}, 0.3);
     const auto radiance = [&](const Pair& pair) {
-        return total(radiance_at_eye(pair.input(cold_space), band, {50.0, FacetId{0}, 50.0, 0.0}));
+        return total(
+            radiance_at_eye(pair.input(cold_space), band, {50.0, SurfaceId{0}, 50.0, 0.0}));
     };
     CHECK(radiance(inside) == Approx(radiance(at_edge)).epsilon(1e-6));
     const double own = band_radiance(band, 290.0);
@@ -147,7 +150,7 @@ TEST_CASE("a plate reflects the sky it sees", "[render][radiance]") {
     const Pair pair(1.0f, 0.0f, 0.0f, {300.0f, 300.0f}, 0.9);
     const Band band = flat_band("8-12", 8.0, 12.0);
     const Atmosphere shell = Vacuum{.space_temperature = 220.0};
-    const auto terms = radiance_at_eye(pair.input(shell), band, {50.0, FacetId{0}, 50.0, 0.0});
+    const auto terms = radiance_at_eye(pair.input(shell), band, {50.0, SurfaceId{0}, 50.0, 0.0});
     CHECK(
         total(terms) ==
         Approx(0.1 * band_radiance(band, 300.0) + 0.9 * band_radiance(band, 220.0)).epsilon(1e-9));
@@ -158,7 +161,7 @@ TEST_CASE("glass shows the room behind it below 5 µm and none above", "[render]
     pair.materials = MaterialLibrary({testing::materials(300.0)[MaterialId{testing::glass}]});
     const auto behind = [&](const Band& band) {
         return radiance_at_eye(pair.input(cold_space), band,
-                               {50.0, FacetId{0}, 50.0, 0.0})[std::size_t(Term::behind)];
+                               {50.0, SurfaceId{0}, 50.0, 0.0})[std::size_t(Term::behind)];
     };
     CHECK(behind(flat_band("8-12", 8.0, 12.0)) == 0.0);
     // τ is 0.75 at 2.7 µm and 0.4 at 3.5 µm, linear between.
@@ -193,7 +196,7 @@ TEST_CASE("the segments of a chord are fine enough for 2 mK", "[render][radiance
     if (up > range) return;
     const auto temperature = [&](int segments) {
         return brightness_temperature(
-            band, total(radiance_at_eye(input, band, {up, FacetId{0}, range, 0.0}, segments)));
+            band, total(radiance_at_eye(input, band, {up, SurfaceId{0}, range, 0.0}, segments)));
     };
     CAPTURE(band.name, range, up);
     CHECK(std::abs(temperature(0) - temperature(400)) < 2e-3);
@@ -270,7 +273,7 @@ TEST_CASE("a plane under the sky reflects the direct and the scattered sunlight"
     CHECK(direct + diffuse < above);
     const auto leaving = [&](std::uint32_t facet) {
         double sum = 0.0;
-        for (const auto& term : radiosity_terms(input, FacetId{facet}, band.node_um)) {
+        for (const auto& term : radiosity_terms(input, SurfaceId{facet}, band.node_um)) {
             sum += band_sum_nodes(band, term);
         }
         return sum;
@@ -351,8 +354,8 @@ TEST_CASE("ground beyond the scene's edge is seen as a level facet of it is",
             band,
             scattered_backgrounds_at(input, *scattered, eye_km, 180.0, {&azimuth, 1}).front());
     }
-    const double facet = total(radiance_at_eye(input, band, {above_m, FacetId{0}, above_m, 0.0}, 0,
-                                               scattered ? &*scattered : nullptr));
+    const double facet = total(radiance_at_eye(input, band, {above_m, SurfaceId{0}, above_m, 0.0},
+                                               0, scattered ? &*scattered : nullptr));
     double path = 0.0;
     if (scattered) {
         const SightLine line = chord(eye_km, input.ground_height_km, 1e-3 * above_m);

@@ -77,7 +77,7 @@ struct Light {
     /// The light of sky and sun on a plate, over π.
     std::array<double, 2> found(const RadianceInput& of, const Band& band, std::size_t k,
                                 const ScatteredSun* scattered) const {
-        const FacetId facet{std::uint32_t(plates.plate[k])};
+        const SurfaceId facet{std::uint32_t(plates.plate[k])};
         const NodeTerms terms = radiosity_terms(of, facet, band.node_um, 0, scattered);
         const auto sum = [&](Term t) {
             return band_sum_nodes(band, terms[std::size_t(t)]) / reflectance;

@@ -93,7 +93,7 @@ double reference(const Morning& world, const View& view, const Observer& observe
         }
         const auto part = radiance_at_eye(
             input, band,
-            {view.observer_height, view.facet[s.target], view.range_of(s), view.height_of(s)}, 0,
+            {view.observer_height, view.surface[s.target], view.range_of(s), view.height_of(s)}, 0,
             field);
         for (std::size_t t = 0; t < term_count; ++t) {
             total += s.weight * part[t];
@@ -353,7 +353,7 @@ TEST_CASE("input that does not fit the facets is refused", "[render][tracer][inp
         CHECK_THROWS_AS(render(view, observer, bands, input), InputError);
     }
     SECTION("a temperature that is not a number") {
-        world.temperature[index(view.facet.front())] = std::nanf("");
+        world.temperature[index(view.surface.front())] = std::nanf("");
         CHECK_THROWS_AS(render(view, observer, bands, input), InputError);
     }
 }

@@ -35,7 +35,7 @@ TEST_CASE("what a pixel sees adds up to one, and every facet named is seen",
     const View view =
         cast_view(scene, facets, testing::hilly_observer(), {.samples = samples, .seed = 3});
     REQUIRE(view.row.size() == view.pixels() + 1);
-    std::vector<bool> seen(view.facet.size(), false);
+    std::vector<bool> seen(view.surface.size(), false);
     std::size_t open = 0, mixed = 0;
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         double sum = view.sky[p];
@@ -110,7 +110,7 @@ TEST_CASE("a view is the same for any number of threads, and another for another
     }
     set_thread_count(0);
     const auto same = [](const View& a, const View& b) {
-        return a.facet == b.facet && a.row == b.row && a.sky == b.sky &&
+        return a.surface == b.surface && a.row == b.row && a.sky == b.sky &&
                a.sky_zenith_deg == b.sky_zenith_deg && a.centre == b.centre &&
                a.sighting.size() == b.sighting.size() &&
                std::memcmp(a.sighting.data(), b.sighting.data(),

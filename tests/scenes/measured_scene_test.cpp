@@ -96,9 +96,7 @@ TEST_CASE("pictures have one sun and sky at all heights where the heat balance h
                             .temperature = {},
                             .ground_height_km = p.world.sea_level_height / 1000.0};
         set_light_heights(p, input);
-        const auto height = [&](std::size_t f) {
-            return input.height_km(FacetId{static_cast<std::uint32_t>(f)});
-        };
+        const auto height = [&](std::size_t f) { return input.height_km(surface_id(f)); };
         double least = 1e9, most = -1e9;
         for (std::size_t f = 0; f < p.world.surfaces().size(); ++f) {
             least = std::min(least, height(f));

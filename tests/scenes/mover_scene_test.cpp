@@ -286,7 +286,7 @@ TEST_CASE(
         for (std::size_t p = std::size_t{96} * 24; p < std::size_t{96} * 25; ++p) {
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
-                if (there.world.facets.object[index(view.facet[s.target])] == ObjectId{3}) {
+                if (there.world.facets.object[index(view.surface[s.target])] == ObjectId{3}) {
                     share[p % 96] += double{s.weight};
                 }
             }

@@ -41,10 +41,10 @@ TEST_CASE("a surface remembers the sun as its step response does",
     const SceneStage stage = stages.at(0);
     const World& world = prepared.world;
     const Instant now = later(prepared.scene.time.start, GENERATE(10.0, 13.0, 17.0) * 3600.0);
-    std::vector<FacetId> wanted;
+    std::vector<SurfaceId> wanted;
     for (std::uint32_t f = 0; f < world.facets.size(); ++f) {
         const auto& name = prepared.scene.materials[world.facets.material[f]].name;
-        if (f < world.ground_facets && name == "concrete") wanted.push_back(FacetId{f});
+        if (f < world.ground_facets && name == "concrete") wanted.push_back(SurfaceId{f});
     }
     const std::vector<float> present =
         sun_on_surfaces(prepared, sun_over(prepared, now), 4, wanted);
@@ -61,7 +61,7 @@ TEST_CASE("a surface remembers the sun as its step response does",
                         4.0 * concrete.emissivity * 5.670374e-8 * std::pow(air.air.temperature, 3);
     const std::vector<double> warm = step_response(concrete, film, ends);
     std::vector<std::uint32_t> chosen;
-    for (const FacetId f : wanted) {
+    for (const SurfaceId f : wanted) {
         const auto n = static_cast<std::uint32_t>(f);
         if (found.past.of_facet[n] != PastSun::at_once) chosen.push_back(n);
     }

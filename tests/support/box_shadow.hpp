@@ -142,7 +142,7 @@ inline double overlap(const BoxStage& stage, const View& view, const std::vector
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         bool plain = view.sky[p] == 0.0f;
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
-            plain = plain && index(view.facet[view.sighting[k].target]) < stage.ground;
+            plain = plain && index(view.surface[view.sighting[k].target]) < stage.ground;
         }
         if (!plain) continue;
         int shaded = 0;

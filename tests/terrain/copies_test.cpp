@@ -216,10 +216,9 @@ TEST_CASE("sheets in copies' places show their backs and dim the beam", "[terrai
         REQUIRE(met.size() == as.size());
         for (std::size_t k = 0; k < met.size(); ++k) {
             CHECK(met[k].share == Approx(as[k].share).margin(1e-6));
-            if (met[k].facet == no_facet) continue;
-            const auto [facet, copy] =
-                yard.copies.at(static_cast<std::uint32_t>(index(met[k].facet)));
-            CHECK(built_out_place(yard, facet, copy) == index(as[k].facet));
+            if (met[k].number == index(no_facet)) continue;
+            const auto [facet, copy] = yard.copies.at(met[k].number);
+            CHECK(built_out_place(yard, facet, copy) == as[k].number);
         }
     }
 }
@@ -252,14 +251,14 @@ TEST_CASE("copies cast shadows and hide the sky as if built out", "[terrain][sun
         double of_boxes = 0.0, expected_boxes = 0.0;
         for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
             sum += views.others.factor[k];
-            REQUIRE(index(views.others.facet[k]) < yard.facets.size());
+            REQUIRE(views.others.facet[k] < yard.facets.size());
             if (k > views.others.row[f]) CHECK(views.others.facet[k - 1] < views.others.facet[k]);
-            if (index(views.others.facet[k]) >= yard.ground) of_boxes += views.others.factor[k];
+            if (views.others.facet[k] >= yard.ground) of_boxes += views.others.factor[k];
         }
         CHECK(sum == Approx(1.0).margin(1e-5));
         if (f >= yard.ground) continue;
         for (auto k = as.others.row[f]; k < as.others.row[f + 1]; ++k) {
-            if (index(as.others.facet[k]) >= yard.ground) expected_boxes += as.others.factor[k];
+            if (as.others.facet[k] >= yard.ground) expected_boxes += as.others.factor[k];
         }
         if (expected_boxes > 0.5) continue;  // below a box, which has no floor
         sees_copies += expected_boxes > 0.05;

@@ -29,7 +29,7 @@ double factor_error(const FacetSet& facets, const FacetViews& view) {
     for (std::size_t f = 0; f < facets.size(); ++f) {
         std::fill(row.begin(), row.end(), 0.0f);
         for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
-            row[index(view.others.facet[k])] = view.others.factor[k];
+            row[view.others.facet[k]] = view.others.factor[k];
         }
         for (std::size_t g = 0; g < facets.size(); ++g) {
             if (g == f) continue;
@@ -55,11 +55,11 @@ TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exc
         double whole = double{view.sky[f]} + view.below[f];
         for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
             whole += view.others.factor[k];
-            const std::size_t g = index(view.others.facet[k]);
+            const std::size_t g = view.others.facet[k];
             const auto begin = view.others.facet.begin() + view.others.row[g];
             const auto end = view.others.facet.begin() + view.others.row[g + 1];
-            const auto back = std::lower_bound(begin, end, FacetId(f));
-            REQUIRE((back != end && index(*back) == f));
+            const auto back = std::lower_bound(begin, end, std::uint32_t(f));
+            REQUIRE((back != end && *back == f));
             const double there = double{facets.area[f]} * view.others.factor[k];
             const double here = double{facets.area[g]} *
                                 view.others.factor[std::size_t(back - view.others.facet.begin())];
@@ -109,7 +109,7 @@ TEST_CASE("two plates that see only each other share what both can give", "[terr
     // A small and a large one: the small one's view is the larger part of itself.
     FacetSet facets = hollow(1, 3, 0.3);
     FacetViews view = facet_views(facets, RayScene(facets), {.rays = 16});
-    view.others = {.row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {0.5f, 0.5f}};
+    view.others = {.row = {0, 1, 2}, .facet = {1, 0}, .factor = {0.5f, 0.5f}};
     for (std::size_t f = 2; f < facets.size(); ++f) view.others.row.push_back(2);
     std::fill(view.sky.begin(), view.sky.end(), 0.5f);
     std::fill(view.below.begin(), view.below.end(), 0.0f);
@@ -148,7 +148,7 @@ TEST_CASE("small facets keep their view beside large ones that few rays meet",
         if (std::abs(facets.normal[f].z()) > 0.1f) continue;
         double ground = 0.0;
         for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
-            if (index(view.others.facet[k]) < 2) ground += view.others.factor[k];
+            if (view.others.facet[k] < 2) ground += view.others.factor[k];
         }
         sum += ground;
         squares += ground * ground;

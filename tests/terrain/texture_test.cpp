@@ -146,8 +146,8 @@ TEST_CASE("facets are solved once for each level that occurs on them",
         CHECK(p.origin == std::vector<std::uint32_t>{0, 1, 0, 1});
         const Blend dark = p.at(FacetId{0}, {6.5, 0.5, 0.0}),
                     light = p.at(FacetId{0}, {5.5, 0.5, 0});
-        CHECK(dark.first == FacetId{0});
-        CHECK(dark.second == FacetId{2});
+        CHECK(dark.first == SurfaceId{0});
+        CHECK(dark.second == SurfaceId{2});
         CHECK(std::abs(dark.second_share - light.second_share) == 1.0f);
     }
 }
@@ -166,7 +166,7 @@ TEST_CASE("copies see what their place sees, and are seen by their shares",
         float rest = 0.9f - solid.sky[f];
         for (std::size_t g = 0; g < facets.size(); g += 5) {
             if (g == f) continue;
-            solid.others.facet.push_back(FacetId{std::uint32_t(g)});
+            solid.others.facet.push_back(std::uint32_t(g));
             solid.others.factor.push_back(0.5f * rest);
             rest *= 0.5f;
         }

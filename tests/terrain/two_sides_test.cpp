@@ -127,7 +127,7 @@ TEST_CASE("both sides of a sheet exchange with what they face", "[terrain][visib
         const std::size_t of = index(world.facets.material[f]);
         double row = double(views.sky[f]) + double(views.below[f]);
         for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
-            const std::size_t seen = index(world.facets.material[index(views.others.facet[k])]);
+            const std::size_t seen = index(world.facets.material[views.others.facet[k]]);
             const double area = double(world.facets.area[f]) * double(views.others.factor[k]);
             row += double(views.others.factor[k]);
             if (of == 0 && seen == 1) ground_to_front += area;
@@ -164,7 +164,7 @@ TEST_CASE("no light is lost between a sheet's sides, ground and sky",
         for (std::size_t f = 0; f < facets.size(); ++f) {
             light[f] = direct[f];
             for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
-                const std::size_t from = index(views.others.facet[k]);
+                const std::size_t from = views.others.facet[k];
                 light[f] += double(views.others.factor[k]) * before[from] *
                             albedo[index(facets.material[from])];
             }

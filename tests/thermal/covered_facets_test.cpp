@@ -63,7 +63,7 @@ SolveResult solve_beside(double snow) {
     REQUIRE(facets.normal[1].z() == Approx(0.0f).margin(1e-6));
     const FacetViews views{.sky = {1.0f, 0.5f},
                            .below = {0.0f, 0.0f},
-                           .others = {.row = {0, 0, 1}, .facet = {FacetId{0}}, .factor = {0.5f}}};
+                           .others = {.row = {0, 0, 1}, .facet = {0}, .factor = {0.5f}}};
     const MaterialLibrary materials = road_and_wall();
     const SunExposure sun;
     const Weather weather = winter(snow);

@@ -183,7 +183,7 @@ TEST_CASE("facets that face each other at two heights share the two skies",
     FacetViews view;
     view.sky = {0.5f, 0.5f};
     view.below = {0.0f, 0.0f};
-    view.others = {.row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {0.5f, 0.5f}};
+    view.others = {.row = {0, 1, 2}, .facet = {1, 0}, .factor = {0.5f, 0.5f}};
     Case c(view, {300.0f, 1900.0f});
     c.material = plate(GENERATE(1.0, 0.6));
     c.material.thermal.convection = ConstantFilm{0.0};

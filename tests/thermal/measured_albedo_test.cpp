@@ -46,10 +46,9 @@ std::array<double, 4> exitance(const std::vector<double>& share) {
         facets, vertex, triangle,
         std::vector<MaterialId>{MaterialId{0}, MaterialId{1}, MaterialId{2}, MaterialId{3}},
         ObjectId{0});
-    const FacetViews views{
-        .sky = {1.0f, 1.0f, 1.0f, 0.5f},
-        .below = {0.0f, 0.0f, 0.0f, 0.0f},
-        .others = {.row = {0, 0, 0, 0, 1}, .facet = {FacetId{0}}, .factor = {0.5f}}};
+    const FacetViews views{.sky = {1.0f, 1.0f, 1.0f, 0.5f},
+                           .below = {0.0f, 0.0f, 0.0f, 0.0f},
+                           .others = {.row = {0, 0, 0, 0, 1}, .facet = {0}, .factor = {0.5f}}};
     const MaterialLibrary materials({plate("measured", 0.1), plate("other", 0.3),
                                      plate("alone", 0.1, true), plate("black", 0.0)});
     Forcing forcing;

@@ -40,7 +40,7 @@ struct Twice {
             for (std::uint32_t k = once.row[f % n]; k < once.row[f % n + 1]; ++k) {
                 const auto seen = static_cast<std::uint32_t>(once.facet[k]);
                 for (const std::uint32_t copy : {seen, static_cast<std::uint32_t>(n) + seen}) {
-                    view.others.facet.push_back(FacetId{copy});
+                    view.others.facet.push_back(copy);
                     view.others.factor.push_back(0.5f * once.factor[k]);
                 }
             }

@@ -235,8 +235,7 @@ TEST_CASE("thin plates that see each other settle within six passes, by the erro
     const FacetViews view{.sky = {0.4f, 0.3f, 0.3f},
                           .below = {0.0f, 0.0f, 0.0f},
                           .others = {.row = {0, 2, 4, 6},
-                                     .facet = {FacetId{1}, FacetId{2}, FacetId{0}, FacetId{2},
-                                               FacetId{0}, FacetId{1}},
+                                     .facet = {1, 2, 0, 2, 0, 1},
                                      .factor = {0.3f, 0.3f, 0.3f, 0.4f, 0.3f, 0.4f}}};
     Material sheet =
         ground("sheet", 0.3, 0.9, Tarp{}, {{0.0015, 45.0, 7800.0, 500.0}}, FixedFlux{0.0});

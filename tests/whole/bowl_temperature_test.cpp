@@ -32,7 +32,7 @@ std::vector<double> passed_on(const ViewFactors& exchange, const std::vector<dou
         for (std::size_t f = 0; f < x.size(); ++f) {
             double met = 0.0;
             for (auto k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
-                met += double{exchange.factor[k]} * x[index(exchange.facet[k])];
+                met += double{exchange.factor[k]} * x[exchange.facet[k]];
             }
             next[f] += share * met;
         }

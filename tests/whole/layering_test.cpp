@@ -110,7 +110,6 @@ const std::map<std::string, std::set<std::string>> homes = {
       "materials/modtran/modtran6.cpp",
       "materials/modtran/deck.cpp",
       "terrain/objects/gltf_json.hpp"}},
-    {"cereal/", {"scenes/job/store/stage_bytes.cpp"}},
     {"boost/crc", {"scenes/products/export/zip_file.cpp"}},
     {"boost/geometry", {"terrain/ground/ring_index.cpp"}},
     {"boost/math/", {"materials/base/least_squares.cpp", "scenes/studies/crossings.cpp"}},

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
-#include "thermal/kernels/balance_loops.hpp"
+#include "thermal/kernels/balance_root.hpp"
 
 // A whole step in modes, the same step for all facets, compiled once for each vector width as
 // thermal/kernels/balance_loops.hpp.
@@ -33,26 +33,6 @@ struct ModeWay {
     }
 }
 
-/// By halving the bracket to its end: if Newton oscillates.
-template <FilmKind Kind, bool Wet, class Air>
-void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, ModeWay& way) {
-    Balance<lanes> at;
-    alignas(64) double low[lanes], high[lanes];
-    std::fill_n(low, lanes, coldest);
-    std::fill_n(high, lanes, hottest);
-    for (int i = 0; i < halvings; ++i) {
-        for (std::size_t l = 0; l < lanes; ++l) way.temperature[l] = 0.5 * (low[l] + high[l]);
-        evaluate<Kind, Wet>(air_at, s.natural, radiation, way.temperature, at);
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const double t = way.temperature[l];
-            const bool colder = at.flux[l] + way.pull[l] - b * t > 0.0;
-            (colder ? low : high)[l] = t;
-            way.flux[l] = at.flux[l];
-            s.slope[l] = at.slope[l];
-        }
-    }
-}
-
 /// Air of a step: the same for all lanes.
 struct SameStep {
     SameAir at;
@@ -77,13 +57,13 @@ struct LaneStep {
         const double* const up = s.above.up;
 #pragma omp simd
         for (std::size_t l = 0; l < lanes; ++l) {
-            warmer_by[l] = at.temperature[l] - (low + up[l] * (high - low));
+            warmer_by[l] = at.air_temperature[l] - (low + up[l] * (high - low));
             dew_point[l] = wet_low + up[l] * (wet_high - wet_low);
         }
     }
     [[gnu::always_inline]] double warmer(std::size_t l) const { return warmer_by[l]; }
     [[gnu::always_inline]] Bends bend(std::size_t l) const {
-        return {dew_point[l], at.temperature[l]};
+        return {dew_point[l], at.air_temperature[l]};
     }
 };
 
@@ -111,27 +91,12 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
             reference + (way.a[l] + response * (s.drive[l] + brought - steep * (t - reference))) /
                             (1.0 - response * steep);
     }
-    ModeOutcome outcome{};
-    Balance<lanes> at;
-    double largest;
-    do {
-        largest = 0.0;
-        evaluate<Kind, Wet>(air.at, s.natural, radiation, way.temperature, at);
-#pragma omp simd reduction(max : largest)
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const double t = way.temperature[l];
-            const double correction = (at.flux[l] + way.pull[l] - b * t) / (b - at.slope[l]);
-            const double next = t + correction;
-            way.temperature[l] = next;
-            way.flux[l] = at.flux[l] + at.slope[l] * correction;
-            s.slope[l] = at.slope[l];
-            const double size = size_of<Wet>(correction, t, next, air.bend(l));
-            largest = size > largest ? size : largest;
-        }
-        ++outcome.iterations;
-    } while (largest > near_enough<Kind, Wet> && outcome.iterations < newton_steps);
-    outcome.halved = largest > near_enough<Kind, Wet>;
-    if (outcome.halved) halve<Kind, Wet>(air.at, radiation, b, s, way);
+    const RootOutcome root = find_roots<Kind, Wet, lanes>(
+        air.at, [&](std::size_t l) __attribute__((always_inline)) { return air.bend(l); },
+        [b](std::size_t) __attribute__((always_inline)) { return b; },
+        {s.natural, radiation, way.pull, way.temperature, s.slope}, near_enough<Kind, Wet>,
+        [&](std::size_t l, double flux) __attribute__((always_inline)) { way.flux[l] = flux; });
+    ModeOutcome outcome{.iterations = root.iterations, .halved = root.halved};
     double worst = 0.0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t l = 0; l < lanes; ++l) {

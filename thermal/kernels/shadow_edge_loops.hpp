@@ -5,7 +5,7 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/column/step_weights.hpp"
-#include "thermal/kernels/balance_loops.hpp"
+#include "thermal/kernels/balance_root.hpp"
 
 // A step in modes in which each facet's heat input has a jump at its own instant, compiled once for
 // each vector width as thermal/kernels/balance_loops.hpp.
@@ -94,51 +94,6 @@ struct SplitPart {
     }
 }
 
-/// Newton to `near` [K], or halving if it does not converge; returns whether it was halved.
-template <FilmKind Kind, bool Wet, class Air, class Bend>
-[[gnu::always_inline]] inline bool settle_part(const Air& film_at, const Bend& bend_at,
-                                               double radiation, double near, const SplitLanes& s,
-                                               std::size_t first, const SplitPart& p) {
-    Balance<split_lanes> at;
-    int iterations = 0;
-    double largest;
-    do {
-        largest = 0.0;
-        evaluate<Kind, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
-#pragma omp simd reduction(max : largest)
-        for (std::size_t l = 0; l < split_lanes; ++l) {
-            const std::size_t k = first + l;
-            const Bends bend = bend_at(l);
-            const double t = s.temperature[k];
-            const double correction =
-                (at.flux[l] + p.pull[l] - p.b[l] * t) / (p.b[l] - at.slope[l]);
-            const double next = t + correction;
-            s.temperature[k] = next;
-            s.slope[k] = at.slope[l];
-            const double size = size_of<Wet>(correction, t, next, bend);
-            largest = size > largest ? size : largest;
-        }
-        ++iterations;
-    } while (largest > near && iterations < newton_steps);
-    if (!(largest > near)) return false;
-    double low[split_lanes], high[split_lanes];
-    std::fill_n(low, split_lanes, coldest);
-    std::fill_n(high, split_lanes, hottest);
-    for (int i = 0; i < halvings; ++i) {
-        for (std::size_t l = 0; l < split_lanes; ++l) {
-            s.temperature[first + l] = 0.5 * (low[l] + high[l]);
-        }
-        evaluate<Kind, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
-        for (std::size_t l = 0; l < split_lanes; ++l) {
-            const double t = s.temperature[first + l];
-            const bool colder = at.flux[l] + p.pull[l] - p.b[l] * t > 0.0;
-            (colder ? low : high)[l] = t;
-            s.slope[first + l] = at.slope[l];
-        }
-    }
-    return true;
-}
-
 /// Drives from the surface temperatures, and their part in the modes.
 [[gnu::always_inline]] inline void leave_part(const ModeCoefficients& c, const SplitLanes& s,
                                               std::size_t first, const SplitPart& p) {
@@ -176,7 +131,7 @@ struct LaneSplit {
         }
     }
     [[gnu::always_inline]] Bends bend(std::size_t l) const {
-        return {dew_point[l], at.temperature[l]};
+        return {dew_point[l], at.air_temperature[l]};
     }
 };
 
@@ -194,6 +149,7 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
     const auto film_at = [&](std::size_t l) __attribute__((always_inline)) {
         return air_between(from.at(l), to.at(l), p.at_share[l]);
     };
+    const auto b_at = [&](std::size_t l) __attribute__((always_inline)) { return p.b[l]; };
     const auto bend_at = [&](std::size_t l) __attribute__((always_inline)) {
         const double back = 1.0 - p.at_share[l];
         const Bends begin = from.bend(l), end = to.bend(l);
@@ -205,8 +161,11 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
         decay_part(c, s, first, p);
         guess_part(c, s, first, p);
         const double near = part < parts_after_jump ? near_inside : near_enough<Kind, Wet>;
-        const bool more = settle_part<Kind, Wet>(film_at, bend_at, radiation, near, s, first, p);
-        halved = halved || more;
+        const RootOutcome root = find_roots<Kind, Wet, split_lanes>(
+            film_at, bend_at, b_at,
+            {s.natural + first, radiation, p.pull, s.temperature + first, s.slope + first}, near,
+            [](std::size_t, double) {});
+        halved = halved || root.halved;
         leave_part(c, s, first, p);
     }
     return halved;

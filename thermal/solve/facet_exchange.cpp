@@ -77,13 +77,12 @@ class SunlightAtOnce {
             counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * n]) : 0.0f;
         });
         const ViewFactors& seen = scene_.views.others;
-        interreflect(
-            SeenRows<FacetId>{.row = seen.row, .source = seen.facet, .factor = seen.factor},
-            {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
-            [&](std::size_t f, const float* arrived, float* out) {
-                for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
-                return f < counted ? reflect(f, arrived, out) : 0.0f;
-            });
+        interreflect(SeenRows{.row = seen.row, .source = seen.facet, .factor = seen.factor},
+                     {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
+                     [&](std::size_t f, const float* arrived, float* out) {
+                         for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
+                         return f < counted ? reflect(f, arrived, out) : 0.0f;
+                     });
     }
 
     void put(std::span<float> incident) const {
@@ -202,7 +201,7 @@ void arriving_longwave(const FacetViews& view, std::span<const float> leaving, s
     };
     add(facet, seen_as_itself(view, facet), true);
     for (auto k = view.others.row[facet]; k < view.others.row[facet + 1]; ++k) {
-        add(index(view.others.facet[k]), view.others.factor[k], false);
+        add(view.others.facet[k], view.others.factor[k], false);
     }
 }
 

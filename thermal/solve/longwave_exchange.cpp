@@ -48,7 +48,7 @@ float largest(std::span<const float> x) {
 bool send(const SolveState& solve, float least, int sweeps, Field& field) {
     constexpr std::size_t most_values = 16'000'000;  // at once
     const FacetViews& view = solve.input.views;
-    const SeenRows<FacetId> rows{
+    const SeenRows rows{
         .row = view.others.row, .source = view.others.facet, .factor = view.others.factor};
     const std::size_t room = std::max<std::size_t>(16, most_values / solve.facets);
     const std::size_t chunks = (field.used + room - 1) / room;

@@ -30,7 +30,7 @@ OwnLongwave::OwnLongwave(const SolveState& solve, const NetworkObject& object)
         const std::uint32_t f = face_[k];
         add(k, seen_as_itself(view, f));
         for (auto at = view.others.row[f]; at < view.others.row[f + 1]; ++at) {
-            add(place[index(view.others.facet[at])], view.others.factor[at]);
+            add(place[view.others.facet[at]], view.others.factor[at]);
         }
         row_.push_back(std::uint32_t(from_.size()));
     }

@@ -42,7 +42,7 @@ ViewFactors chosen(const ViewFactors& whole, const Representatives& r) {
     for (const std::uint32_t facet : r.solved) {
         row.clear();
         for (std::uint32_t k = whole.row[facet]; k < whole.row[facet + 1]; ++k) {
-            row.emplace_back(r.place[index(whole.facet[k])], whole.factor[k]);
+            row.emplace_back(r.place[whole.facet[k]], whole.factor[k]);
         }
         std::stable_sort(row.begin(), row.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -50,7 +50,7 @@ ViewFactors chosen(const ViewFactors& whole, const Representatives& r) {
             const std::uint32_t seen = row[i].first;
             double sum = 0.0;
             for (; i < row.size() && row[i].first == seen; ++i) sum += double{row[i].second};
-            part.facet.push_back(FacetId{seen});
+            part.facet.push_back(seen);
             part.factor.push_back(static_cast<float>(sum));
         }
         part.row.push_back(static_cast<std::uint32_t>(part.facet.size()));

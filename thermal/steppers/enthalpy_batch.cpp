@@ -149,7 +149,7 @@ LaneMask run_stages(const EnthalpyForcing& f, const Covered& covered, EnthalpyBa
             for (std::size_t l = 0; l < W; ++l) {
                 if (!solved[l] || at.weight[l] == 0.0) continue;
                 add_stage({.weight = f.duration[l] * at.weight[l],
-                           .air_temperature = f.air[k].temperature[l],
+                           .air_temperature = f.air[k].air_temperature[l],
                            .surface = skin[l],
                            .wet_share = covered.met.wet_share[l],
                            .wet_latent = wet[l],

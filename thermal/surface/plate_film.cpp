@@ -101,7 +101,7 @@ NaturalFilm facet_film(const Convection& convection, double up_cosine, const Fil
 
 PlateAir plate_air(const Tarp& tarp, const AirState& reference, double wind) {
     const double share = density_share(reference);
-    PlateAir air;
+    PlateAir air{};
     air.third = std::cbrt(share * share);
     air.laminar = tarp_forced(tarp, wind) * std::sqrt(share);
     return air;
@@ -109,7 +109,7 @@ PlateAir plate_air(const Tarp& tarp, const AirState& reference, double wind) {
 
 PlateAir plate_air(const Mowitt& mowitt, const AirState& reference, double wind) {
     const double share = density_share(reference);
-    PlateAir air;
+    PlateAir air{};
     air.third = std::cbrt(share * share);
     air.laminar = mowitt_forced(wind) * std::pow(share, 0.89);
     air.roughness = mowitt.roughness;
@@ -125,7 +125,7 @@ PlateAir plate_air(const BodyFilm& body, const AirState& reference, double wind)
     const double buoyancy = gravity / (t * viscosity * diffusivity);  // Ra of 1 m and 1 K
     const double reynolds = wind / viscosity;                         // of 1 m
     const double root_prandtl = std::cbrt(prandtl);
-    PlateAir air;
+    PlateAir air{};
     air.conduct = std::sqrt(k);
     air.third = k * std::cbrt(buoyancy);
     air.sixth = std::sqrt(air.third);

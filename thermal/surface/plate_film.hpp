@@ -31,18 +31,22 @@ namespace diurna {
 ///
 /// The air's properties are those at the mean of surface and air temperature (Eckert's reference
 /// temperature in flight), to first order in the difference: 1 % at 60 K, 3 % at 300 K.
-struct PlateAir {
-    double conduct = 0.0;  // √k [W^½ m^-½ K^-½]
-    double sixth = 0.0;    // √third
-    double quarter = 0.0;  // k (g β / ν α)^¼ [W m^-7/4 K^-5/4]
-    double third = 0.0;    // k (g β / ν α)^⅓ [W m⁻² K⁻⁴ᐟ³]; of walls (ρ/ρ₀)^⅔
-    double laminar = 0.0;  // forced, for a size of 1 m; of walls all of it [W m⁻² K⁻¹]
-    double turbulent = 0.0;  // forced beyond the transition
-    double edge = 0.0;       // reduction of it by the laminar part upstream
-    double warming = 0.0;    // [K⁻¹] decrease of `third` per kelvin of the surface's excess
+///
+/// `Value` is a number, or one for each lane; `Own` likewise (AirFilmOf).
+template <class Value, class Own>
+struct PlateAirOf {
+    Value conduct;    // √k [W^½ m^-½ K^-½]
+    Value sixth;      // √third
+    Value quarter;    // k (g β / ν α)^¼ [W m^-7/4 K^-5/4]
+    Value third;      // k (g β / ν α)^⅓ [W m⁻² K⁻⁴ᐟ³]; of walls (ρ/ρ₀)^⅔
+    Value laminar;    // forced, for a size of 1 m; of walls all of it [W m⁻² K⁻¹]
+    Value turbulent;  // forced beyond the transition
+    Value edge;       // reduction of it by the laminar part upstream
+    Own warming;      // [K⁻¹] decrease of `third` per kelvin of the surface's excess
     double roughness = 1.0;  // of MoWiTT's walls
     bool quadratic = false;  // MoWiTT
 };
+using PlateAir = PlateAirOf<double, double>;
 
 /// A facet's own factors of its film. At most eight numbers: arrays of them load as vectors.
 struct NaturalFilm {

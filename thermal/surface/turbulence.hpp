@@ -44,20 +44,61 @@ LouisForm louis_form(double roughness_length, double heat_roughness_length, doub
 
 /// Exchange of heat and vapour between one kind of surface and the air at one instant: inputs of
 /// the balance kernel, the same for all facets of a material.
-struct AirFilm {
-    double air_temperature;  // [K]
-    double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant
-    double instability;      // [K⁻¹] x per kelvin of surface excess; 0 for plates and constants
-    double a, c, s;          // of LouisForm; 0 for plates and constants
-    double least;            // [W m⁻² K⁻¹] added to ground's film
-    double heat_capacity;    // [J m⁻³ K⁻¹] ρ cp of the air
-    double vapour_pressure;  // [Pa] of the air
-    double latent;           // [J m⁻³ Pa⁻¹] ρ L_v 0.622 / p
-    double resistance;       // [s m⁻¹] of the surface to evaporation
-    double wetness;          // 0: neither evaporation nor dew
-    FilmKind kind;           // ground_film, wall_film or body_film
-    PlateAir plate;          // of walls and bodies
+///
+/// `Value` is a number (AirFilm), or one for each lane (FilmLanes) of what differs between instants
+/// and heights; `Own` likewise of what differs between facets of one kind of film.
+template <class Value, class Own>
+struct AirFilmOf {
+    Value air_temperature;  // [K]
+    Value neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant
+    Value instability;      // [K⁻¹] x per kelvin of surface excess; 0 for plates, constants
+    double a, c, s;         // of LouisForm; 0 for plates and constants
+    Own least;              // [W m⁻² K⁻¹] added to ground's film
+    Value heat_capacity;    // [J m⁻³ K⁻¹] ρ cp of the air
+    Value vapour_pressure;  // [Pa] of the air
+    Value latent;           // [J m⁻³ Pa⁻¹] ρ L_v 0.622 / p
+    double resistance;      // [s m⁻¹] of the surface to evaporation
+    double wetness;         // 0: neither evaporation nor dew
+    FilmKind kind;          // ground_film, wall_film or body_film
+    PlateAirOf<Value, Own> plate;  // of walls and bodies
 };
+using AirFilm = AirFilmOf<double, double>;
+
+/// The fields of films, in the only list of them besides the declarations: calls varies(field of
+/// each film...) for what differs between instants and heights, own(...) for the others. Field by
+/// field, as loops that copy a whole AirFilm are not vectorised. First those of all films, then
+/// those of plates alone.
+template <class Varies, class Own, class... Films>
+[[gnu::always_inline]] inline void each_air_field(const Varies& varies, const Own& own,
+                                                  Films&... of) {
+    varies(of.air_temperature...);
+    varies(of.neutral...);
+    varies(of.instability...);
+    varies(of.heat_capacity...);
+    varies(of.vapour_pressure...);
+    varies(of.latent...);
+    own(of.a...);
+    own(of.c...);
+    own(of.s...);
+    own(of.least...);
+    own(of.resistance...);
+    own(of.wetness...);
+    own(of.kind...);
+}
+template <class Varies, class Own, class... Films>
+[[gnu::always_inline]] inline void each_plate_field(const Varies& varies, const Own& own,
+                                                    Films&... of) {
+    varies(of.plate.conduct...);
+    varies(of.plate.sixth...);
+    varies(of.plate.quarter...);
+    varies(of.plate.third...);
+    varies(of.plate.laminar...);
+    varies(of.plate.turbulent...);
+    varies(of.plate.edge...);
+    own(of.plate.warming...);
+    own(of.plate.roughness...);
+    own(of.plate.quadratic...);
+}
 
 /// wind below 0.3 m s⁻¹ is set to 0.3: drift in calm air
 inline constexpr double least_wind = 0.3;
@@ -117,38 +158,18 @@ struct LatentHeat {
     return latent_heat(air, film, excess, slope);
 }
 
-/// Air interpolated (or extrapolated) between two instants. Value by value: loops that copy a whole
-/// AirFilm are not vectorised.
+/// Air interpolated (or extrapolated) between two instants.
 [[gnu::always_inline]] inline AirFilm air_between(const AirFilm& before, const AirFilm& after,
                                                   double share) {
     const double back = 1.0 - share;
-    const auto between = [back](double from, double to) __attribute__((always_inline)) {
-        return to + back * (from - to);
+    const auto between = [back](double& at, double from, double to) __attribute__((always_inline)) {
+        at = to + back * (from - to);
     };
-    const PlateAir &from = before.plate, &to = after.plate;
-    return {.air_temperature = between(before.air_temperature, after.air_temperature),
-            .neutral = between(before.neutral, after.neutral),
-            .instability = between(before.instability, after.instability),
-            .a = after.a,
-            .c = after.c,
-            .s = after.s,
-            .least = after.least,
-            .heat_capacity = between(before.heat_capacity, after.heat_capacity),
-            .vapour_pressure = between(before.vapour_pressure, after.vapour_pressure),
-            .latent = between(before.latent, after.latent),
-            .resistance = after.resistance,
-            .wetness = after.wetness,
-            .kind = after.kind,
-            .plate = {.conduct = between(from.conduct, to.conduct),
-                      .sixth = between(from.sixth, to.sixth),
-                      .quarter = between(from.quarter, to.quarter),
-                      .third = between(from.third, to.third),
-                      .laminar = between(from.laminar, to.laminar),
-                      .turbulent = between(from.turbulent, to.turbulent),
-                      .edge = between(from.edge, to.edge),
-                      .warming = to.warming,
-                      .roughness = to.roughness,
-                      .quadratic = to.quadratic}};
+    const auto later = [](auto& at, auto, auto to) __attribute__((always_inline)) { at = to; };
+    AirFilm air;
+    each_air_field(between, later, air, before, after);
+    each_plate_field(between, later, air, before, after);
+    return air;
 }
 
 }  // namespace diurna

@@ -19,7 +19,6 @@ const std::map<std::string, LibraryOrigin>& origins() {
     static const std::map<std::string, LibraryOrigin> all{
         {"Boost", {"libboost-dev", "BSL-1.0"}},
         {"CGAL", {"libcgal-dev", "GPL-3.0-or-later"}},
-        {"cereal", {"libcereal-dev", "BSD-3-Clause"}},
         {"CLI11", {"libcli11-dev", "BSD-3-Clause"}},
         {"Eigen", {"libeigen3-dev", "MPL-2.0"}},
         {"Embree", {"libembree-dev", "Apache-2.0"}},

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/studies/asked_studies.hpp"
+
 namespace diurna {
 
 namespace {
@@ -16,10 +18,12 @@ struct VerbGroup {
 };
 
 const std::vector<VerbGroup>& verb_groups() {
+    std::vector<const char*> studies;
+    for (const StudyKind& kind : study_kinds()) studies.push_back(kind.word);
     static const std::vector<VerbGroup> groups{
         {"Prepare a scene", {"new", "inspect", "keys", "materials", "model", "check", "plan"}},
         {"Compute", {"run", "solve", "render", "slurm", "merge"}},
-        {"Study a scene", {"signature", "detection", "contrast", "crossover", "sensitivity"}},
+        {"Study a scene", studies},
         {"Use results", {"audit", "verify", "export", "reshade", "movie"}},
         {"Single calculations", {"column", "calibrate", "path", "sun", "mesh", "visibility"}},
         {"Installation", {"doctor", "pages"}},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "materials/base/units.hpp"
 
@@ -46,31 +47,27 @@ void check_sphere(const Section& section, const PictureAngles& angles, double wi
                         std::floor(1e-6 + width * 90.0 / degrees(half))));
         return;
     }
-    const bool even = angles.projection == Projection::equidistant;
-    if (!even && angles.projection != Projection::equisolid) return;
+    if (!is_fisheye(angles.projection)) return;
     const double to_corner = std::hypot(1.0, height / width);
-    const double law = even ? half * to_corner : std::sin(0.5 * half) * to_corner;
-    if (law <= (even ? std::numbers::pi : 1.0) + 1e-9) return;
+    const double edge = fisheye_radius(angles.projection, std::numbers::pi);
+    if (fisheye_radius(angles.projection, half) * to_corner <= edge + 1e-9) return;
     section.mistake(
         key,
         "pixels in the corners of the fisheye's picture have directions behind it, expected at "
         "most 180 degrees from its axis",
-        fmt::format("horizontal_fov_deg = {:.0f} is the whole sphere for this picture",
-                    std::floor(1e-6 + degrees(even ? 2.0 * std::numbers::pi / to_corner
-                                                   : 4.0 * std::asin(1.0 / to_corner)))));
+        fmt::format(
+            "horizontal_fov_deg = {:.0f} is the whole sphere for this picture",
+            std::floor(1e-6 + 2.0 * degrees(fisheye_angle(angles.projection, edge / to_corner)))));
 }
 
 }  // namespace
 
 PictureAngles read_projection(const Section& section, int width, int height) {
     PictureAngles angles;
-    angles.projection =
-        section.choice_or("projection", "mapping of directions to the picture", Projection::pinhole,
-                          {{"pinhole", Projection::pinhole},
-                           {"equidistant", Projection::equidistant},
-                           {"equisolid", Projection::equisolid},
-                           {"panorama", Projection::panorama},
-                           {"orthographic", Projection::orthographic}});
+    std::vector<Choice<Projection>> choices;
+    for (const auto& [word, projection] : projection_words) choices.push_back({word, projection});
+    angles.projection = section.choice_or("projection", "mapping of directions to the picture",
+                                          Projection::pinhole, choices);
     if (angles.projection == Projection::orthographic) {
         angles.picture_width =
             section.number("picture_width_m", "width of the picture", {0.01, 2e5});

@@ -31,17 +31,8 @@ std::string truth_text(const std::vector<double>& numbers) {
 std::string vector_text(const Eigen::Vector3d& v) { return truth_text({v.x(), v.y(), v.z()}); }
 
 const char* truth_name(Projection projection) {
-    switch (projection) {
-        case Projection::pinhole:
-            return "pinhole";
-        case Projection::equidistant:
-            return "equidistant";
-        case Projection::equisolid:
-            return "equisolid";
-        case Projection::panorama:
-            return "panorama";
-        case Projection::orthographic:
-            return "orthographic";
+    for (const ProjectionWord& one : projection_words) {
+        if (one.projection == projection) return one.word;
     }
     return "";
 }
@@ -132,10 +123,10 @@ Facts camera_facts(const World& world, const Observer& observer) {
             truth_text({fov, 2.0 * degrees(std::atan(0.5 * observer.height / focal))});
         facts["camera.intrinsics_pixels"] =
             truth_text({focal, focal, 0.5 * observer.width, 0.5 * observer.height});
-    } else if (observer.projection == Projection::equisolid) {
-        const double half = aspect * std::sin(0.25 * radians(fov));
+    } else if (is_fisheye(observer.projection)) {
+        const double up = aspect * fisheye_radius(observer.projection, 0.5 * radians(fov));
         facts["camera.field_of_view_deg"] =
-            truth_text({fov, 4.0 * degrees(std::asin(std::min(1.0, half)))});
+            truth_text({fov, 2.0 * degrees(fisheye_angle(observer.projection, up))});
     } else {
         facts["camera.field_of_view_deg"] = truth_text({fov, fov * aspect});
     }

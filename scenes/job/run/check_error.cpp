@@ -17,6 +17,7 @@
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 
 namespace diurna {
@@ -27,19 +28,19 @@ constexpr std::size_t most_checked_instants = 24;
 constexpr std::size_t most_named = 4;  // materials
 
 /// The points' surfaces and all that share a corner with one, and levels of textures there.
-std::vector<FacetId> about(const World& world, const CheckPoints& points) {
+std::vector<SurfaceId> about(const World& world, const CheckPoints& points) {
     const FacetSet& facets = world.facets;
     const TextureLevels& levels = world.texture_levels;
     std::vector<std::uint8_t> touched(facets.vertex.size(), 0);
     for (const CheckPoint& point : points.point) {
-        const std::size_t f = levels.solid_of(point.surface);
+        const std::size_t f = index(levels.facet_of(point.surface));
         for (const std::uint32_t v : facets.corner[f]) touched[v] = 1;
     }
-    std::vector<FacetId> near;
+    std::vector<SurfaceId> near;
     for (std::size_t f = 0; f < world.surfaces().size(); ++f) {
-        const auto& corner = facets.corner[levels.solid_of(f)];
+        const auto& corner = facets.corner[index(levels.facet_of(surface_id(f)))];
         if (std::any_of(corner.begin(), corner.end(), [&](auto v) { return touched[v] != 0; })) {
-            near.push_back(FacetId{static_cast<std::uint32_t>(f)});
+            near.push_back(surface_id(f));
         }
     }
     return near;
@@ -55,13 +56,13 @@ struct AtPoints {
 std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
                                  const Prepared& prepared, std::span<const float> present) {
     constexpr int samples = 2;  // of the disc, for each past sun
+    const TextureLevels& levels = prepared.world.texture_levels;
     std::vector<float> share(present.begin(), present.begin() + points.point.size());
     std::vector<float> now(points.beside.facets.size());
     for (std::size_t c = 0; c < past.course.size(); ++c) {
         std::vector<std::uint32_t> chosen;
         for (std::uint32_t k = 0; k < share.size(); ++k) {
-            const std::size_t f = prepared.world.texture_levels.solid_of(points.point[k].surface);
-            if (past.of_facet[f] != c) continue;
+            if (past.of_facet[index(levels.facet_of(points.point[k].surface))] != c) continue;
             chosen.push_back(k);
             share[k] = 0.0f;
         }
@@ -75,7 +76,7 @@ std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
 }
 
 AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
-                     std::span<const FacetId> near, Instant when,
+                     std::span<const SurfaceId> near, Instant when,
                      std::span<const float> temperature) {
     AtPoints at{.warmer = std::vector<float>(points.point.size(), 0.0f),
                 .by_sun = std::vector<float>(points.point.size(), 0.0f)};
@@ -93,19 +94,16 @@ AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const Ch
                             sun_direction(place),
                             remembered.moments(),
                             remembered.empty() ? nullptr : &remembered.past};
-    std::vector<FacetId> of_point;
-    for (const CheckPoint& point : points.point) of_point.push_back(FacetId{point.surface});
+    std::vector<SurfaceId> of_point;
+    for (const CheckPoint& point : points.point) of_point.push_back(point.surface);
     const std::vector<FacetSlope> slope =
         facet_slopes(of_point, {.sun = sun, .temperature = temperature});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const CheckPoint& point = points.point[k];
-        warmer[k] = slope[k].at(point.place - surfaces.centroid[point.surface]);
+        warmer[k] = slope[k].at(point.place - surfaces.centroid[index(point.surface)]);
     }
     if (fraction.empty()) return at;
-    std::vector<std::uint8_t> crossed = facets_with_edges(sun, &levels);
-    for (std::size_t f = crossed.size(); f < surfaces.size(); ++f) {
-        crossed.push_back(crossed[levels.solid_of(f)]);
-    }
+    const std::vector<std::uint8_t> crossed = on_surfaces(levels, facets_with_edges(sun, &levels));
     const std::span<const float> mean = sun.past ? std::span(sun.past->share) : fraction;
     const std::vector<float> kelvins = kelvins_of_sun(
         surfaces, crossed, mean, temperature,
@@ -115,7 +113,7 @@ AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const Ch
         sun.past ? remembered_at(points, *sun.past, prepared, on_patch.fraction)
                  : on_patch.fraction;
     for (std::size_t k = 0; k < warmer.size(); ++k) {
-        const std::uint32_t f = points.point[k].surface;
+        const std::size_t f = index(points.point[k].surface);
         warmer[k] += kelvins[f] * (share[k] - mean[f]);
         const float on_whole = on_patch.fraction[points.point.size() + k];
         at.by_sun[k] = kelvins[f] * (fraction[f] - on_whole);
@@ -146,8 +144,10 @@ double median_edge(const Prepared& prepared, const CheckPoints& points,
     const FacetSet& surfaces = prepared.world.surfaces();
     std::vector<double> edge;
     for (const CheckPoint& point : points.point) {
-        if (prepared.scene.materials[surfaces.material[point.surface]].kind() != material) continue;
-        edge.push_back(std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[point.surface]}));
+        if (prepared.scene.materials[surfaces.material[index(point.surface)]].kind() != material)
+            continue;
+        edge.push_back(
+            std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[index(point.surface)]}));
     }
     if (edge.empty()) return 0.0;
     const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
@@ -168,7 +168,7 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
     CheckError error;
     const std::size_t count = points.point.size(), all = field.instant.size();
     if (count == 0 || all == 0) return error;
-    const std::vector<FacetId> near = about(prepared.world, points);
+    const std::vector<SurfaceId> near = about(prepared.world, points);
     const FacetSet& surfaces = prepared.world.surfaces();
     const std::size_t asked = std::min(all, most_checked_instants);
     std::vector<double> off;
@@ -181,16 +181,14 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
         const std::span<const float> kelvin = field.at(i);
         const AtPoints shown = in_pictures(prepared, views, points, near, field.instant[i], kelvin);
         for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t f = points.point[k].surface;
+            const std::size_t f = index(points.point[k].surface);
             const float* const patch = patches.data() + 2 * i * count;
             const double e = double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]};
             const double ray = double{kelvin[f]} - double{patch[count + k]};
             by_rays += ray * ray;
             const double sun = std::min(ray * ray, double{shown.by_sun[k]} * shown.by_sun[k]);
             by_sun += sun;
-            const bool object =
-                prepared.world.texture_levels.solid_of(f) >= prepared.world.ground_facets;
-            if (object) of_objects += ray * ray - sun;
+            if (!prepared.world.on_ground(points.point[k].surface)) of_objects += ray * ray - sun;
             off.push_back(std::abs(e));
             squares += e * e;
             of_point[k] += e * e;

@@ -29,12 +29,11 @@ constexpr double most_of_facet = 0.1;  // of a facet's edges
 constexpr float lift = 1e-3f, lift_of_place = 2.5e-7f;
 
 /// Surfaces that lie in a place that a ray has met.
-std::uint32_t surface_at(const TextureLevels& levels, FacetId facet, const Eigen::Vector3d& place,
-                         double drawn) {
-    if (levels.empty()) return static_cast<std::uint32_t>(facet);
+SurfaceId surface_at(const TextureLevels& levels, FacetId facet, const Eigen::Vector3d& place,
+                     double drawn) {
+    if (levels.empty()) return own_surface(facet);
     const Blend blend = levels.at(facet, place);
-    return static_cast<std::uint32_t>(drawn < double{blend.second_share} ? blend.second
-                                                                         : blend.first);
+    return drawn < double{blend.second_share} ? blend.second : blend.first;
 }
 
 /// (solid facet) 1 where heat comes from other facets: along a target's sheets, and from the other
@@ -43,7 +42,7 @@ std::vector<std::uint8_t> not_alone(const World& world, std::span<const NetworkO
     std::vector<std::uint8_t> carries(world.facets.size(), 0);
     const auto mark = [&](std::uint32_t f) {
         if (f == no_number) return;
-        carries[world.texture_levels.solid_of(f)] = 1;
+        carries[index(world.texture_levels.facet_of(SurfaceId{f}))] = 1;
     };
     for (const NetworkObject& object : network) {
         std::for_each(object.facet.begin(), object.facet.end(), mark);
@@ -57,8 +56,8 @@ std::vector<std::uint8_t> not_alone(const World& world, std::span<const NetworkO
 }
 
 /// Of a point's patch in its facet's edges.
-float patch_scale(const FacetSet& surfaces, std::uint32_t facet) {
-    const double across = std::sqrt(2.0 * double{surfaces.area[facet]});
+float patch_scale(const FacetSet& surfaces, SurfaceId surface) {
+    const double across = std::sqrt(2.0 * double{surfaces.area[index(surface)]});
     return static_cast<float>(std::min(most_of_facet, patch_m / across));
 }
 
@@ -68,7 +67,7 @@ void set_smooth_normals(const World& world, const std::vector<CheckPoint>& point
     std::vector<PlaceOnFacet> places;
     std::vector<std::size_t> of;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const std::size_t solid = world.texture_levels.solid_of(points[k].surface);
+        const std::size_t solid = index(world.texture_levels.facet_of(points[k].surface));
         if (solid >= world.ground_facets) continue;
         places.push_back({static_cast<std::uint32_t>(solid), points[k].place});
         of.push_back(k);
@@ -80,7 +79,7 @@ void set_smooth_normals(const World& world, const std::vector<CheckPoint>& point
 
 /// A likeness of a facet about a place on it, a little above it.
 void add_patch(const FacetSet& surfaces, const CheckPoint& point, float scale, FacetSet& patches) {
-    const std::uint32_t f = point.surface;
+    const std::size_t f = index(point.surface);
     const auto& corner = surfaces.corner[f];
     const Eigen::Vector3f up =
         (lift + lift_of_place * point.place.cwiseAbs().maxCoeff()) * surfaces.normal[f];
@@ -175,7 +174,7 @@ CheckPoints check_points(const Stages& stages, std::span<const NetworkObject> ne
         for (const CheckPoint& point : points.point) {
             const float scale = whole ? 1.0f : patch_scale(surfaces, point.surface);
             add_patch(surfaces, point, scale, points.beside.facets);
-            points.beside.like.push_back(point.surface);
+            points.beside.like.push_back(number(point.surface));
         }
     }
     set_smooth_normals(world, points.point, points.beside.facets);

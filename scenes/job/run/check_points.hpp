@@ -15,7 +15,7 @@
 namespace diurna {
 
 struct CheckPoint {
-    std::uint32_t surface;   // of World::surfaces(), the facet of the point
+    SurfaceId surface;       // of World::surfaces(), that of the point
     std::uint32_t observer;  // of the scene's, in whose picture it is
     Eigen::Vector3f place;   // [m]
 };

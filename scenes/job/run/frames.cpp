@@ -69,23 +69,47 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
 
 using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
 
-/// The series of an observer, of what it is rendered, and where the pictures go.
-struct Rendering {
-    const Prepared& prepared;
-    const Series& series;
-    const FacetViews& views;
+/// An observer's frames: from what they are rendered, and where they go.
+struct FrameWork {
+    const Stages& stages;
     const ShownHeat& heat;
-    std::span<const InstrumentSeries> instruments;
-    const std::vector<ChangedSeries>& changed;
+    std::size_t observer;        // of the scene's
+    const ObserverInput& input;  // with the bands that are wanted
+    const InstrumentViews& instruments;
     const fs::path& out;
+    Ledger& ledger;
+
+    const Sequence& sequence() const { return stages.scene().sequences[observer]; }
 };
+
+/// The observer's view and its instruments' of a scene whose objects are at one place each, and of
+/// the scenes with uncertain values changed.
+struct CastViews {
+    const Prepared& prepared;
+    const FacetViews& views;
+    Series series;
+    std::vector<InstrumentSeries> instruments;
+    const std::vector<ChangedSeries>& changed;
+};
+
+/// - frames: instants of all frames with this view
+CastViews cast_views(const FrameWork& work, const Prepared& here, const SceneStage& stage,
+                     const Observer& eye, std::span<const Instant> frames,
+                     const std::vector<ChangedSeries>& changed) {
+    const TemperatureField& field = work.heat.field;
+    return {here, stage.views, cast_series(here, work.input, eye, frames, stage.views, field),
+            cast_instruments(work.instruments, here, eye, frames, stage.views, field), changed};
+}
 
 /// Renders and writes the bands and cubes of one instant, enters them with the tables' notes of
 /// their error, and leaves what instruments see of it.
 ///
 /// - blurred: objects go on while the picture is taken
-void render_instant(const Rendering& of, Instant instant, Ledger& ledger, bool blurred = false) {
-    const auto& [prepared, s, views, heat, instruments, changed, out] = of;
+void render_instant(const FrameWork& work, const CastViews& cast, Instant instant,
+                    bool blurred = false) {
+    const auto& [prepared, views, s, instruments, changed] = cast;
+    const fs::path& out = work.out;
+    const ShownHeat& heat = work.heat;
     Picture picture = picture_at(prepared, s, views, heat.field, instant, blurred);
     add_sigma_planes(changed, s.bands, instant, blurred, picture.frame);
     Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
@@ -99,7 +123,7 @@ void render_instant(const Rendering& of, Instant instant, Ledger& ledger, bool b
     }
     const std::vector<std::string> files =
         picture_files(s.input, instant, prepared.scene.labels.format);
-    if (!files.empty()) ledger.add(files, std::move(reported));
+    if (!files.empty()) work.ledger.add(files, std::move(reported));
     for (const InstrumentSeries& one : instruments) {
         const Frame frame = seen_flux(one, prepared, views, heat.field, instant, blurred, picture);
         const fs::path file =
@@ -158,37 +182,25 @@ class ChangedViews {
 
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
-void render_alone(const Stages& stages, std::size_t o, const ObserverInput& input,
-                  std::size_t frame, const ShownHeat& heat, const InstrumentViews& instruments,
-                  const fs::path& out, Ledger& ledger) {
-    const Prepared& scene = stages.scene();
-    const Sequence& sequence = scene.sequences[o];
-    const Instant instant = sequence.frame[frame];
-    const Observer& eye = sequence.at(frame);
-    const StandingScene here = standing(stages, eye, instant);
-    const FacetViews& views = here.stage.views;
-    const Series own = cast_series(here.prepared(), input, eye, {&instant, 1}, views, heat.field);
-    const std::vector<InstrumentSeries> finer =
-        cast_instruments(instruments, here.prepared(), eye, {&instant, 1}, views, heat.field);
-    const ChangedViews changed(heat, input, eye, {&instant, 1},
+void render_alone(const FrameWork& work, std::size_t frame) {
+    const Instant instant = work.sequence().frame[frame];
+    const Observer& eye = work.sequence().at(frame);
+    const StandingScene here = standing(work.stages, eye, instant);
+    const ChangedViews changed(work.heat, work.input, eye, {&instant, 1},
                                [&](const Stages& other) { return standing(other, eye, instant); });
-    render_instant({here.prepared(), own, views, heat, finer, changed.series(), out}, instant,
-                   ledger, blurs(scene.movement, eye, instant));
+    const CastViews cast =
+        cast_views(work, here.prepared(), here.stage, eye, {&instant, 1}, changed.series());
+    render_instant(work, cast, instant, blurs(work.stages.scene().movement, eye, instant));
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
 /// once for each stage.
-///
-/// - input: with the bands that are wanted
-void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& input,
-                     std::span<const std::size_t> wanted, const ShownHeat& heat,
-                     const InstrumentViews& instruments, const fs::path& out, Progress& progress,
-                     Ledger& ledger) {
-    const Prepared& scene = stages.scene();
-    const Movement& movement = scene.movement;
-    const Sequence& sequence = scene.sequences[o];
-    std::vector<std::size_t> alone;                              // places in `wanted`
-    std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
+void render_sequence(const FrameWork& work, std::span<const std::size_t> wanted,
+                     Progress& progress) {
+    const Movement& movement = work.stages.scene().movement;
+    const Sequence& sequence = work.sequence();
+    std::vector<std::size_t> alone;                                   // places in `wanted`
+    std::vector<std::vector<std::size_t>> still(work.stages.size());  // (stage) likewise
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Instant when = sequence.frame[wanted[i]];
         const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when)) ||
@@ -207,30 +219,23 @@ void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& i
     };
     for (std::size_t s = 0; s < still.size(); ++s) {
         if (still[s].empty()) continue;
-        progress.stage(StageId::views, input.name);
-        const SceneStage stage = stages.at(s);
+        progress.stage(StageId::views, work.input.name);
+        const SceneStage stage = work.stages.at(s);
         std::vector<Instant> frames;  // of the stage, whichever are still to be rendered
         for (const Instant when : sequence.frame) {
             if (movement.stage_of(when) == s) frames.push_back(when);
         }
-        const Series series =
-            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, heat.field);
-        const std::vector<InstrumentSeries> finer = cast_instruments(
-            instruments, stage.prepared, sequence.at(0), frames, stage.views, heat.field);
-        const ChangedViews changed(heat, input, sequence.at(0), frames, [&](const Stages& other) {
-            return StandingScene{.stage = other.at(s)};
-        });
-        progress.stage(StageId::frames, input.name);
-        each(still[s], [&](std::size_t frame) {
-            render_instant(
-                {stage.prepared, series, stage.views, heat, finer, changed.series(), out},
-                sequence.frame[frame], ledger);
-        });
+        const ChangedViews changed(
+            work.heat, work.input, sequence.at(0), frames,
+            [&](const Stages& other) { return StandingScene{.stage = other.at(s)}; });
+        const CastViews cast =
+            cast_views(work, stage.prepared, stage, sequence.at(0), frames, changed.series());
+        progress.stage(StageId::frames, work.input.name);
+        each(still[s],
+             [&](std::size_t frame) { render_instant(work, cast, sequence.frame[frame]); });
     }
-    if (!alone.empty()) progress.stage(StageId::frames, input.name);
-    each(alone, [&](std::size_t frame) {
-        render_alone(stages, o, input, frame, heat, instruments, out, ledger);
-    });
+    if (!alone.empty()) progress.stage(StageId::frames, work.input.name);
+    each(alone, [&](std::size_t frame) { render_alone(work, frame); });
 }
 
 }  // namespace
@@ -254,7 +259,7 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
         }
         if (!wanted.empty()) {
             const InstrumentViews instruments = instrument_views(prepared.scene, input);
-            render_sequence(stages, o, input, wanted, heat, instruments, out, progress, ledger);
+            render_sequence({stages, heat, o, input, instruments, out, ledger}, wanted, progress);
             if (!instruments.empty()) progress.stage(StageId::instruments, input.name);
             for (const auto& view : instruments) {
                 Messages notes;

@@ -172,7 +172,7 @@ SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& o
 std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& world) {
     std::vector<std::uint8_t> asked(world.facets.size(), 0);
     for (const std::uint32_t f : needed.who.solved) {
-        asked[world.texture_levels.solid_of(f)] = 1;
+        asked[index(world.texture_levels.facet_of(SurfaceId{f}))] = 1;
     }
     return asked;
 }

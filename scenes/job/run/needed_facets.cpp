@@ -39,7 +39,7 @@ void each_coupled(const FacetViews& views, const std::vector<float>& share, cons
     for (std::size_t f = 0; f < share.size(); ++f) {
         if (!(share[f] > 0.0f)) continue;
         for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
-            body(f, index(others.facet[k]), others.factor[k]);
+            body(f, others.facet[k], others.factor[k]);
         }
     }
 }
@@ -49,7 +49,7 @@ bool near_structures(const FacetViews& views, const std::vector<std::uint8_t>& s
                      std::size_t f) {
     float seen = 0.0f;
     for (std::uint32_t k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
-        if (stands[index(views.others.facet[k])]) seen += views.others.factor[k];
+        if (stands[views.others.facet[k]]) seen += views.others.factor[k];
     }
     return seen > 0.005f;
 }
@@ -170,7 +170,7 @@ Marked marked_facets(const World& world, std::span<const NetworkObject> network,
     marked.seen = marked.count();
     marked.stands.assign(world.surfaces().size(), 0);
     for (std::size_t f = 0; f < marked.stands.size(); ++f) {
-        if (world.texture_levels.solid_of(f) >= world.ground_facets) {
+        if (!world.on_ground(surface_id(f))) {
             marked.stands[f] = marked.solved[f] = 1;
         }
     }

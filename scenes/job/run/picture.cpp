@@ -68,7 +68,8 @@ void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
         plane.name = fmt::format("place_{}", k);
         for (float& facet : plane.pixel) {
             if (facet < 0.0f) continue;
-            facet = static_cast<float>(levels.solid_of(static_cast<std::size_t>(facet)));
+            const SurfaceId surface = surface_id(static_cast<std::size_t>(facet));
+            facet = static_cast<float>(index(levels.facet_of(surface)));
         }
         frame.planes.push_back(std::move(plane));
     }
@@ -99,7 +100,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
         covered_surfaces(world.surfaces(), materials, field.water.facet, cover);
     const std::vector<float> fraction =
         sun_on_surfaces(prepared, sun, prepared.scene.sun_samples,
-                        covered || measured ? std::span<const FacetId>() : s.lit.facet);
+                        covered || measured ? std::span<const SurfaceId>() : s.lit.facet);
     const std::optional<FarGround> border =
         far_ground(world, covered ? covered->facets : world.surfaces(), temperature, views.sky);
     RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
@@ -140,7 +141,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
         linear_facets(s.view, s.observer,
                       {.sun = over,
                        .temperature = temperature,
-                       .lit = covered || measured ? std::span<const FacetId>() : s.lit.facet});
+                       .lit = covered || measured ? std::span<const SurfaceId>() : s.lit.facet});
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,

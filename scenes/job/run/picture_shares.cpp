@@ -46,7 +46,7 @@ void add_picture(const SceneStage& stage, int samples, const Observer& pose, Ins
     std::vector<float> here(share.size(), 0.0f);
     const float pixel = 1.0f / static_cast<float>(view.pixels());
     for (const Sighting& s : view.sighting) {
-        here[index(view.facet[s.target])] += pixel * s.weight;
+        here[index(view.surface[s.target])] += pixel * s.weight;
     }
     for (const SecondaryRay& secondary : secondary_rays.secondary) {
         if (secondary.kind == SecondaryRay::Kind::facet)
@@ -98,11 +98,12 @@ std::vector<std::uint8_t> seen_or_beside(const World& world, const std::vector<f
     std::vector<std::uint8_t> corner_seen(solid.vertex.size(), 0);
     for (std::size_t f = 0; f < share.size(); ++f) {
         if (!(share[f] > 0.0f)) continue;
-        for (const std::uint32_t v : solid.corner[levels.solid_of(f)]) corner_seen[v] = 1;
+        for (const std::uint32_t v : solid.corner[index(levels.facet_of(surface_id(f)))])
+            corner_seen[v] = 1;
     }
     std::vector<std::uint8_t> near(share.size(), 0);
     for (std::size_t f = 0; f < share.size(); ++f) {
-        const auto& corner = solid.corner[levels.solid_of(f)];
+        const auto& corner = solid.corner[index(levels.facet_of(surface_id(f)))];
         near[f] = std::any_of(corner.begin(), corner.end(),
                               [&](std::uint32_t v) { return corner_seen[v] != 0; });
     }

@@ -16,6 +16,7 @@
 #include "scenes/job/world/stepping.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun_path.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/receiver_views.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "thermal/received_light.hpp"
@@ -41,25 +42,9 @@ const std::array<ReceiverFace, 6>& six_faces() {
     return ways;
 }
 
-/// A view of solid facets as one of all textures' levels.
+/// A view of facets as one of the surfaces on them.
 FacetViews on_levels(const TextureLevels& levels, FacetViews views) {
-    if (levels.empty()) return views;
-    ViewFactors& from = views.others;
-    ViewFactors all{.row = {0}, .facet = {}, .factor = {}};
-    for (std::size_t r = 0; r + 1 < from.row.size(); ++r) {
-        for (auto k = from.row[r]; k < from.row[r + 1]; ++k) {
-            const std::size_t f = index(from.facet[k]);
-            all.facet.push_back(from.facet[k]);
-            all.factor.push_back(from.factor[k] * levels.share[f]);
-            const TextureLevels::OfFacet& of = levels.of_facet[f];
-            for (std::uint32_t c = 0; c + 1 < of.levels; ++c) {
-                all.facet.push_back(FacetId{of.first_copy + c});
-                all.factor.push_back(from.factor[k] * levels.share[of.first_copy + c]);
-            }
-        }
-        all.row.push_back(static_cast<std::uint32_t>(all.facet.size()));
-    }
-    from = std::move(all);
+    if (!levels.empty()) views.others = levels_seen(levels, views.others);
     return views;
 }
 

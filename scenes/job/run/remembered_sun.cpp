@@ -68,11 +68,12 @@ PastSun::Course course_of(const std::array<double, lags.size()>& weight, const P
 }
 
 /// Of the wanted surfaces those that objects can shade.
-std::vector<FacetId> shaded_by_objects(const World& world, const FacetViews& views,
-                                       std::span<const FacetId> wanted) {
+std::vector<SurfaceId> shaded_by_objects(const World& world, const FacetViews& views,
+                                         std::span<const SurfaceId> wanted) {
     const TextureLevels& levels = world.texture_levels;
     const auto of_object = [&](auto f) {
-        return levels.solid_of(static_cast<std::size_t>(f)) >= world.ground_facets;
+        return index(levels.facet_of(surface_id(static_cast<std::size_t>(f)))) >=
+               world.ground_facets;
     };
     // What a box hides six times its height away, where a sun 10 degrees high still shades.
     constexpr double least_view = 0.002;
@@ -84,8 +85,8 @@ std::vector<FacetId> shaded_by_objects(const World& world, const FacetViews& vie
         }
         return sum > least_view;
     };
-    std::vector<FacetId> found;
-    for (const FacetId facet : wanted) {
+    std::vector<SurfaceId> found;
+    for (const SurfaceId facet : wanted) {
         const auto f = index(facet);
         if (of_object(facet) || sees_object(f, views.others) || sees_object(f, views.copied)) {
             found.push_back(facet);
@@ -97,11 +98,11 @@ std::vector<FacetId> shaded_by_objects(const World& world, const FacetViews& vie
 }  // namespace
 
 RememberedSun remembered_sun(const Prepared& prepared, const FacetViews& views,
-                             std::span<const float> fraction, std::span<const FacetId> wanted,
+                             std::span<const float> fraction, std::span<const SurfaceId> wanted,
                              Instant instant) {
     RememberedSun found;
     if (fraction.empty() || wanted.empty() || !prepared.movement.none()) return found;
-    const std::vector<FacetId> shaded = shaded_by_objects(prepared.world, views, wanted);
+    const std::vector<SurfaceId> shaded = shaded_by_objects(prepared.world, views, wanted);
     if (shaded.empty()) return found;
     std::array<SunPosition, lags.size()> sun{};
     std::array<double, lags.size()> strong{};
@@ -116,7 +117,7 @@ RememberedSun remembered_sun(const Prepared& prepared, const FacetViews& views,
     past.of_facet.assign(prepared.world.facets.size(), PastSun::at_once);
     found.weight.assign(materials.size(), {1.0f});
     std::vector<std::uint8_t> course(materials.size(), PastSun::at_once);
-    for (const FacetId f : shaded) {
+    for (const SurfaceId f : shaded) {
         const std::size_t m = index(surfaces.material[index(f)]);
         if (found.weight[m].size() > 1) continue;
         const ThermalSurface& surface = materials[surfaces.material[index(f)]].thermal;
@@ -133,11 +134,11 @@ RememberedSun remembered_sun(const Prepared& prepared, const FacetViews& views,
         std::vector<float> at =
             sun_on_surfaces(prepared, sun[k], prepared.scene.sun_samples, shaded);
         if (at.empty()) at.assign(fraction.size(), 0.0f);
-        for (const FacetId f : shaded) earlier[index(f)] = at[index(f)];
+        for (const SurfaceId f : shaded) earlier[index(f)] = at[index(f)];
     }
-    for (const FacetId facet : shaded) {
+    for (const SurfaceId facet : shaded) {
         const auto f = index(facet);
-        past.of_facet[prepared.world.texture_levels.solid_of(f)] =
+        past.of_facet[index(prepared.world.texture_levels.facet_of(facet))] =
             course[index(surfaces.material[f])];
         const std::vector<float>& weight = found.weight[index(surfaces.material[f])];
         past.share[f] *= weight[0];

@@ -31,7 +31,7 @@ struct RememberedSun {
 /// - fraction: (surface) sunlit share at the instant
 /// - wanted: surfaces that are seen; empty: nothing
 RememberedSun remembered_sun(const Prepared& prepared, const FacetViews& views,
-                             std::span<const float> fraction, std::span<const FacetId> wanted,
+                             std::span<const float> fraction, std::span<const SurfaceId> wanted,
                              Instant instant);
 
 }  // namespace diurna

@@ -31,7 +31,7 @@ void without_textures(const TextureLevels& levels, std::vector<Appearance>& look
     if (levels.empty()) return;
     for (Appearance& look : looks) {
         for (std::size_t f = levels.solid; f < look.facet.size(); ++f) {
-            look.facet[f] = look.facet[levels.solid_of(f)];
+            look.facet[f] = look.facet[index(levels.facet_of(surface_id(f)))];
         }
     }
 }
@@ -108,7 +108,7 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
                         .temperature = {},
                         .ground_height_km = prepared.world.sea_level_height / 1000.0};
     set_light_heights(prepared, still);
-    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.secondary_rays);
+    const std::vector<SurfaceId> seen = seen_surfaces(s.view.surface, s.secondary_rays);
     s.lit = lit_facets(still, seen, s.bands);
     for (const std::string& name : s.input.cubes) {
         const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),

@@ -70,9 +70,9 @@ SunExposure on_all_levels(const TextureLevels& levels, SunExposure sun) {
     std::vector<ShadowEdge> edges;
     for (const ShadowEdge& edge : sun.edge) {
         edges.push_back(edge);
-        const TextureLevels::OfFacet& of_facet = levels.of_facet[edge.facet];
-        for (std::uint32_t copy = 0; copy + 1 < of_facet.levels; ++copy) {
-            edges.push_back({edge.step, of_facet.first_copy + copy, edge.share});
+        const SurfacesOfFacet of_facet = levels.surfaces_of(FacetId{edge.facet});
+        for (std::uint32_t level = 1; level < of_facet.count; ++level) {
+            edges.push_back({edge.step, number(of_facet[level]), edge.share});
         }
     }
     sun.edge = std::move(edges);

@@ -16,7 +16,7 @@ SunPosition sun_over(const Prepared& prepared, Instant instant) {
 }
 
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
-                                   std::span<const FacetId> wanted, float time) {
+                                   std::span<const SurfaceId> wanted, float time) {
     if (!(sun.elevation_deg > 0.0)) return {};
     const World& world = prepared.world;
     const TextureLevels& levels = world.texture_levels;
@@ -29,9 +29,8 @@ std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& 
         sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction, options);
     } else {
         std::vector<std::uint32_t> chosen;
-        for (const FacetId facet : wanted) {
-            const auto f = static_cast<std::uint32_t>(facet);
-            chosen.push_back(levels.solid_of(f));
+        for (const SurfaceId surface : wanted) {
+            chosen.push_back(static_cast<std::uint32_t>(levels.facet_of(surface)));
         }
         std::sort(chosen.begin(), chosen.end());
         chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());

@@ -22,6 +22,6 @@ constexpr int edge_samples(int samples) { return 3 * samples; }
 /// - wanted: facets of World::surfaces(); the others count as in shadow. Empty: all
 /// - time: of the exposure, in a scene with motion
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
-                                   std::span<const FacetId> wanted = {}, float time = 0.5f);
+                                   std::span<const SurfaceId> wanted = {}, float time = 0.5f);
 
 }  // namespace diurna

@@ -261,7 +261,7 @@ void add_surfaces(const Prepared& prepared, HeatFacts& facts) {
     for (std::size_t f = 0; f < surfaces.size(); ++f) {
         facts.add(rank[index(surfaces.material[f])]);
         if (!world.texture_levels.empty()) {
-            facts.add(world.texture_levels.solid_of(f));
+            facts.add(world.texture_levels.origin[f]);
             facts.add(surfaces.area[f]);
         }
     }

@@ -1,27 +1,64 @@
 #include "scenes/job/store/stage_bytes.hpp"
 
 #include <algorithm>
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/utility.hpp>
-#include <cereal/types/vector.hpp>
 #include <cstdint>
+#include <cstring>
 #include <span>
-#include <sstream>
+#include <stdexcept>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace diurna {
 
 namespace {
 
-/// An array in one piece.
+// `fields` of a type writes and reads it, by one of these.
+
+struct Writer {
+    std::string bytes{};
+
+    void piece(const void* from, std::size_t size) {
+        bytes.append(static_cast<const char*>(from), size);
+    }
+    /// Writes an array's size.
+    template <class Array>
+    void size(const Array& values) {
+        const auto count = std::uint64_t(values.size());
+        piece(&count, sizeof count);
+    }
+};
+
+struct Reader {
+    std::string_view bytes;
+
+    void piece(void* to, std::size_t size) {
+        if (size > bytes.size()) throw std::runtime_error("too few bytes");
+        if (size > 0) std::memcpy(to, bytes.data(), size);
+        bytes.remove_prefix(size);
+    }
+    /// Reads an array's size and gives it that size. Every element takes a byte at least.
+    template <class Array>
+    void size(Array& values) {
+        std::uint64_t count = 0;
+        piece(&count, sizeof count);
+        if (count > bytes.size()) throw std::runtime_error("too few bytes");
+        values.resize(count);
+    }
+};
+
 template <class Archive, class T>
-void whole(Archive& archive, std::vector<T>& values) {
+void one(Archive& archive, T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    auto size = std::uint64_t(values.size());
-    archive(size);
-    values.resize(size);
-    archive(cereal::binary_data(values.data(), values.size() * sizeof(T)));
+    archive.piece(&value, sizeof value);
+}
+
+/// An array in one piece.
+template <class Archive, class Array>
+void whole(Archive& archive, Array& values) {
+    static_assert(std::is_trivially_copyable_v<typename Array::value_type>);
+    archive.size(values);
+    archive.piece(values.data(), values.size() * sizeof(typename Array::value_type));
 }
 
 template <class Archive>
@@ -50,13 +87,13 @@ void fields(Archive& archive, SunExposure& sun) {
     whole(archive, sun.edge);
     const std::size_t facets = sun.instant.empty() ? 0 : sun.fraction.size() / sun.instant.size();
     auto row = std::uint64_t(facets);
-    archive(row);
+    one(archive, row);
     sun.fraction.resize(sun.instant.size() * row);
     for (std::size_t i = 0; i < sun.instant.size(); ++i) {
         const std::span<float> of = std::span(sun.fraction).subspan(i * row, row);
         bool lit = std::any_of(of.begin(), of.end(), [](float share) { return share != 0.0f; });
-        archive(lit);
-        if (lit) archive(cereal::binary_data(of.data(), of.size_bytes()));
+        one(archive, lit);
+        if (lit) archive.piece(of.data(), of.size_bytes());
     }
 }
 
@@ -64,29 +101,31 @@ template <class Archive>
 void fields(Archive& archive, FoundHeat& heat) {
     TemperatureField& field = heat.temperature;
     auto facets = std::uint64_t(field.facets);
-    archive(facets);
+    one(archive, facets);
     field.facets = facets;
     whole(archive, field.instant);
     whole(archive, field.kelvin);
     whole(archive, field.water.facet);
     whole(archive, field.water.cover);
     whole(archive, field.solved_as);
-    archive(field.representative_rms);
-    archive(heat.reported);
+    one(archive, field.representative_rms);
+    archive.size(heat.reported);
+    for (auto& [name, text] : heat.reported) {
+        whole(archive, name);
+        whole(archive, text);
+    }
 }
 
 template <class T>
 std::string written(T what) {  // a copy, for one template reads and writes
-    std::ostringstream stream(std::ios::binary);
-    cereal::BinaryOutputArchive archive(stream);
+    Writer archive;
     fields(archive, what);
-    return std::move(stream).str();
+    return std::move(archive.bytes);
 }
 
 template <class T>
 T read(const std::string& bytes) {
-    std::istringstream stream(bytes, std::ios::binary);
-    cereal::BinaryInputArchive archive(stream);
+    Reader archive{bytes};
     T what{};
     fields(archive, what);
     return what;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "materials/base/parallel.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/object_parts.hpp"
 #include "thermal/weather/wind_share.hpp"
 
@@ -195,10 +196,7 @@ std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& m
         const double ground = ground_at(world, at.head<2>(), parts.body[size.body].bottom);
         part.wind *= float(wind_at_height(at.z() - ground, wind_height));
     });
-    if (world.texture_levels.empty()) return of_solid;
-    std::vector<FilmPart> all;
-    for (const std::uint32_t f : world.texture_levels.origin) all.push_back(of_solid[f]);
-    return all;
+    return on_surfaces(world.texture_levels, std::move(of_solid));
 }
 
 BodyBox box_round(const FacetSet& facets, std::size_t first, std::size_t count) {

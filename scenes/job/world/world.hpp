@@ -61,6 +61,10 @@ struct World {
     const FacetSet& surfaces() const {
         return texture_levels.empty() ? facets : texture_levels.facets;
     }
+    /// Whether a surface belongs to the ground, not to an object.
+    bool on_ground(SurfaceId surface) const {
+        return index(texture_levels.facet_of(surface)) < ground_facets;
+    }
 };
 
 }  // namespace diurna

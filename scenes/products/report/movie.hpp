@@ -24,9 +24,9 @@ struct MovieReport {
 };
 
 /// The pictures of an observer in a band in sequence as MP4 or GIF, all on one scale of colours,
-/// the widest of theirs; those of a display unchanged. Throws InputError if the folder has no such pictures, or several observers
-/// or bands and none is given; if a GIF is to be faster than viewers can show; std::runtime_error
-/// without ffmpeg.
+/// the widest of theirs; those of a display unchanged. Throws InputError if the folder has no such
+/// pictures, or several observers or bands and none is given; if a GIF is to be faster than viewers
+/// can show; std::runtime_error without ffmpeg.
 MovieReport write_movie(const MovieOptions& options);
 
 }  // namespace diurna

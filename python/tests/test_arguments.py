@@ -65,7 +65,7 @@ class Arguments(unittest.TestCase):
         self.refused("allow_outside", "True or False", diurna.column, plate, weather(), allow_outside=1)
         self.refused("material.albedo", "0 to 1", diurna.column, plate, weather(), {"material.albedo": 2.0})
         self.of_dictionary("material.albedo", {**plate, "material": {**plate["material"], "albedo": 2.0}})
-        self.of_dictionary("material.layers[0].thickness_m", {**plate, "material": {**plate["material"], "layers": [{"thickness_m": -1}]}})
+        self.of_dictionary("material.layers[0].thickness_m", {**plate, "material": {**plate["material"], "layers": [{**plate["material"]["layers"][0], "thickness_m": -1}]}})
         self.of_dictionary("facet.slop_deg", {**plate, "facet": {"slop_deg": 3.0}})
         self.of_dictionary("time", {key: value for key, value in plate.items() if key != "time"})
         self.refused("material.albedo", "0 to 1", diurna.column, plate, weather(), ["material.albedo=light"])

@@ -88,6 +88,14 @@ Imath::M44f for_rows(const Eigen::Matrix4d& m) {
     return rows;
 }
 
+Eigen::Matrix4d of_rows(const Imath::M44f& rows) {
+    Eigen::Matrix4d m;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) m(j, i) = double{rows[i][j]};
+    }
+    return m;
+}
+
 void add_tags(Imf::Header& header, const CameraTags& camera) {
     Imf::addWorldToCamera(header, for_rows(camera.world_to_camera));
     if (camera.world_to_ndc) Imf::addWorldToNDC(header, for_rows(*camera.world_to_ndc));
@@ -231,5 +239,29 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
 }
 
 }  // namespace
+
+std::optional<CameraTags> read_camera_tags(const std::filesystem::path& path) {
+    try {
+        FileIn opened(open_file(path, most_exr_bytes));
+        const Imf::InputFile file(opened, 0);
+        const Imf::Header& header = file.header();
+        if (!Imf::hasWorldToCamera(header) || !Imf::hasCapDate(header)) return std::nullopt;
+        CameraTags camera{.world_to_camera = of_rows(Imf::worldToCamera(header)),
+                          .cap_date = Imf::capDate(header),
+                          .window_width = double{header.screenWindowWidth()}};
+        if (Imf::hasWorldToNDC(header)) camera.world_to_ndc = of_rows(Imf::worldToNDC(header));
+        if (Imf::hasUtcOffset(header)) camera.utc_offset = double{Imf::utcOffset(header)};
+        if (Imf::hasLongitude(header)) camera.longitude = double{Imf::longitude(header)};
+        if (Imf::hasLatitude(header)) camera.latitude = double{Imf::latitude(header)};
+        if (Imf::hasAltitude(header)) camera.altitude = double{Imf::altitude(header)};
+        if (Imf::hasFocus(header)) camera.focus = double{Imf::focus(header)};
+        if (Imf::hasExpTime(header)) camera.exposure = double{Imf::expTime(header)};
+        return camera;
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw InputError(path.string(), problem.what());
+    }
+}
 
 }  // namespace diurna

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -38,5 +39,9 @@ Frame read_exr(const std::filesystem::path& path);
 
 /// The same, but only the planes of these names, as far as the file has them.
 Frame read_exr(const std::filesystem::path& path, std::span<const std::string> wanted);
+
+/// The camera of OpenEXR's standard attributes in such a file; nothing where it has none. Throws
+/// InputError as read_exr().
+std::optional<CameraTags> read_camera_tags(const std::filesystem::path& path);
 
 }  // namespace diurna

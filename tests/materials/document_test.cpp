@@ -107,7 +107,7 @@ TEST_CASE("a setting finds one of several tables by name or number",
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye.west.height"));
 }
 
-TEST_CASE("a setting needs no name for the only table of its kind",
+TEST_CASE("a setting needs no name where there is one table of a kind",
           "[materials][document][own_keys]") {
     Document document =
         Document::from_text("[[eye]]\nwidth = 1\n[eye.lid]\nwidth = 2\n", "hill.toml");

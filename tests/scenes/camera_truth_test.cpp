@@ -51,6 +51,16 @@ TEST_CASE("worldToNDC leads from a place to the pixel that shows it", "[scenes][
         // As far as the pixel is: on the roof a pixel is 0.45 m deep, on the wall 0.05 m.
         CHECK(frame["range"].pixel[p] == Approx(camera.length()).margin(0.3));
     }
+    const std::optional<CameraTags> read = read_camera_tags(file);
+    REQUIRE(read);
+    REQUIRE(read->world_to_ndc);
+    const Eigen::Vector4d ndc = *read->world_to_ndc * Eigen::Vector4d(-4.2, 0.0, 1.5, 1.0);
+    const Eigen::Vector2d seen = projected({-4.2, 0.0, 1.5});
+    CHECK(ndc.x() / ndc.w() * columns == Approx(seen.x()).margin(2e-3));
+    CHECK(ndc.y() / ndc.w() * rows == Approx(seen.y()).margin(2e-3));
+    CHECK(read->cap_date == "2026:03:20 00:00:00");
+    CHECK(read->altitude == Approx(120.0).margin(0.01));
+    CHECK(read->window_width == Approx(double{header.screenWindowWidth()}));
     // 12:00 UTC on the equator's plain, the scene's clock being UTC.
     CHECK(Imf::capDate(header) == "2026:03:20 00:00:00");
     CHECK(Imf::utcOffset(header) == 0.0f);

@@ -105,7 +105,7 @@ TEST_CASE("settings reach studies by the names that the program gives them",
                       Catch::Contains("no table [[contrast]] to be changed"));
 }
 
-TEST_CASE("the plan counts the solves of studies, and each is numbered as it goes on",
+TEST_CASE("the plan counts the solves of studies, and the terminal numbers them",
           "[scenes][checked_studies]") {
     const ScratchFolder folder("counted_solves");
     lay_heated_plate(folder,

@@ -195,7 +195,7 @@ TEST_CASE("columns of other names are read in the units they are declared in",
     CHECK(w.sample[0].air.pressure == Approx(83430.0).epsilon(2e-3));
     CHECK(has(w.note, "columns not used: station, skyc1"));
 
-    CHECK(has(message_of(file, text), "more columns have no known name"));
+    CHECK(has(message_of(file, text), "found the columns 'station', 'valid', 'tmpf'"));
     CHECK(has(message_of(file, text, {.columns = {declared("tmpc", "air_temperature degC")}}),
               "did you mean 'tmpf'?"));
     CHECK_THROWS_WITH(declared("x", "air_temprature degC"), Catch::Contains("air_temperature"));

@@ -135,7 +135,9 @@ void reshade_verb(const ReshadeArguments& a) {
         }
         ReshadedFrame one = reshade(frame, facets, change);
         fs::create_directories(a.out);
-        write_exr(a.out / file.filename(), one.frame);
+        const std::optional<CameraTags> camera = read_camera_tags(file);
+        write_exr(a.out / file.filename(), one.frame, ExrCompression::none,
+                  camera ? &*camera : nullptr);
         fmt::print("{}\n", plain(reported(file, one, bool(other))));
     }
 }

@@ -302,12 +302,13 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views, of
     // one observer at a time.
-    const double scenes = 1.0 + double(scene.uncertain.size());
+    const double others = double(scene.uncertain.size());  // scenes with a value changed
     plan.memory +=
-        costs.program + costs.freezing_facet * points.freezing +
+        others * (costs.other_scene + costs.other_facet * facets) + costs.program +
+        costs.freezing_facet * points.freezing +
         networks * (costs.network_facet + costs.network_facet_step * std::min(steps, day_steps)) +
-        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values * scenes +
-        work.largest_view * scenes;
+        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) +
+        4.0 * values * (1.0 + others) + work.largest_view * (1.0 + others);
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ struct PlanCosts {
     double seen_through = 2.5;  // factor on casting and rendering for rays through smoke
     // [bytes]
     double program = 75e6;             // and its libraries
+    double other_scene = 20e6;         // a scene with an uncertain value changed, and
+    double other_facet = 1200.0;       // each of its facets
     double facet = 600.0;              // stored once
     double network_facet = 1800.0;     // of a network, and its rays to others
     double network_facet_step = 24.0;  // and step, of no more than a day

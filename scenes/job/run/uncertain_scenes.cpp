@@ -66,9 +66,9 @@ ChangedScenes uncertain_scenes(const Prepared& base, const SceneWith& scene_with
             !same_frames(prepared, base)) {
             throw InputError(one.where,
                              one.key +
-                                 " changes the facets or the instants of pictures, which "
-                                 "alone would change the results",
-                             "run the scene once more with the other value");
+                                 " changes the mesh or the instants of pictures, so that pixels "
+                                 "of the two runs do not correspond",
+                             "run the scene a second time with the other value");
         }
         scenes.push_back(std::make_unique<ChangedScene>(one.key, std::move(prepared), store));
     }

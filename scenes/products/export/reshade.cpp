@@ -178,7 +178,7 @@ ReshadedFrame reshade(const Frame& given, const ChangedFacets& facets,
     const Band band = band_of(frame);
     std::erase_if(frame.planes, [&](const Plane& plane) {
         for (const char* term : {"emitted.", "reflected_sun.", "reflected_sky.",
-                                 "reflected_surroundings.", "transmitted."}) {
+                                 "reflected_surroundings.", "transmitted.", "sigma."}) {
             if (plane.name.starts_with(term)) return true;
         }
         return false;

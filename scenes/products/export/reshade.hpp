@@ -28,7 +28,7 @@ struct ChangedFacets {
 
 struct ReshadedFrame {
     Frame frame;  // radiance, apparent temperature and planes of surfaces as they are then; without
-                  // planes of the radiance's terms
+                  // planes of the radiance's terms and of uncertain values
     std::size_t pixels = 0;    // that show the object
     double change = 0.0;       // [K] rms of apparent temperature over these
     double sum_rms = 0.0;      // [K] of the listed surfaces' sum from the picture's radiance,

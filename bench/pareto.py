@@ -2,7 +2,7 @@
 """Run time against error of pictures: bench/pareto.py DIURNA [--scenes a,b] [--tolerances 2,0.1] [--out FILE.csv] [--check FILE.csv]
 
 For each scene and `tolerance_K`: processor seconds (user and system, one thread), peak memory, the error that the run itself
-measured (`diurna audit`, 200 places, with its 95 % interval) and the true one: the difference of apparent temperature in 8-12 um
+measured (`diurna audit`, 1000 places, with its 95 % interval) and the true one: the difference of apparent temperature in 8-12 um
 to a reference run, over pixels that show the same object and material in both. The reference has edges, mesh tolerance and
 steps half as large, 4 times the rays to the sky and 16 to the sun's disc, and other random numbers; what is left of its own
 error is about a quarter of the default's. Seconds are also given as a ratio to a loop that this script times beside each run
@@ -154,7 +154,7 @@ def rows_of(program, name, tolerances, work):
         out, loop = work / f"{name}_{tolerance}", calibration()
         said, seconds, peak = cost([program, "run", folder / "scene.toml", "--out", out, "--threads", "1", *select, "--set", f"tolerance_K={tolerance}"])
         loop = min(loop, calibration())
-        told, _, _ = cost([program, "audit", out, "--checks", "200"])
+        told, _, _ = cost([program, "audit", out, "--checks", "1000"])
         rms = re.search(r"rms difference +([\d.e-]+) K +95 % interval ([\d.e-]+) to ([\d.e-]+)", told)
         true, worst, pixels = difference(out, reference)
         yield dict(zip(FIELDS, [name, tolerance, f"{seconds:.2f}", f"{loop:.3f}", f"{seconds / loop:.2f}", f"{peak:.0f}", re.search(r"(?m)^(\d+) facets,", said)[1],

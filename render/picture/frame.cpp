@@ -27,6 +27,11 @@ Frame band_frame(const Frame& frame, const std::string& band, bool truth) {
     };
     Frame part = frame;
     part.planes.clear();
+    // Notes of a band have its name behind a dot.
+    std::erase_if(part.notes, [&](const auto& note) {
+        const std::size_t dot = note.first.find('.');
+        return dot != std::string::npos && note.first.substr(dot + 1) != band;
+    });
     for (const Plane& plane : frame.planes) {
         const bool wanted =
             of_no_band(plane.name) ? truth : plane.name.substr(plane.name.find('.') + 1) == band;

@@ -45,7 +45,7 @@ struct Frame {
     const Plane& operator[](std::string_view name) const;
 };
 
-/// The planes of one band and, with `truth`, those that belong to no band.
+/// The planes and notes of one band and, with `truth`, the planes that belong to no band.
 Frame band_frame(const Frame& frame, const std::string& band, bool truth = true);
 
 /// "<observer>_<band>_<UTC>", valid as a file name: other characters than letters, digits, '.', '-'

@@ -58,21 +58,27 @@ struct Line {
     }
 };
 
+constexpr double most_held = 15e3;  // [J m⁻² K⁻¹]
+
+double held_by(const ThermalSurface& surface) {
+    double held = 0.0;
+    for (const Layer& layer : surface.layers) {
+        held += layer.thickness * layer.density * layer.heat_capacity;
+    }
+    return held;
+}
+
 /// What holds a surface's temperature where the sun comes and goes.
 struct Thin {
     bool follows = false, is_back = false;
     double absorptance = 0.0, film = 0.0, emissivity = 0.0;  // the latter two of all its faces
 };
 Thin thin_surface(const ThermalSurface& surface) {
-    constexpr double least_film = 4.0, most_held = 15e3;  // [W m⁻² K⁻¹], [J m⁻² K⁻¹]
-    double held = 0.0;
-    for (const Layer& layer : surface.layers) {
-        held += layer.thickness * layer.density * layer.heat_capacity;
-    }
+    constexpr double least_film = 4.0;  // [W m⁻² K⁻¹]
     const auto* constant = std::get_if<ConstantFilm>(&surface.convection);
     const double film = constant ? constant->film : least_film;
     const double faces = surface.back ? 2.0 : 1.0;
-    return {.follows = !surface.layers.empty() && held < most_held,
+    return {.follows = !surface.layers.empty() && follows_at_once(surface),
             .is_back = surface.layers.empty(),
             .absorptance = 1.0 - surface.albedo - surface.solar_transmittance,
             .film = faces * film,
@@ -80,6 +86,8 @@ Thin thin_surface(const ThermalSurface& surface) {
 }
 
 }  // namespace
+
+bool follows_at_once(const ThermalSurface& surface) { return held_by(surface) < most_held; }
 
 std::vector<float> kelvins_of_sun(const FacetSet& facets, std::span<const std::uint8_t> crossed,
                                   std::span<const float> share, std::span<const float> temperature,

@@ -22,6 +22,10 @@ std::vector<float> kelvins_of_sun(const FacetSet& facets, std::span<const std::u
                                   std::span<const float> share, std::span<const float> temperature,
                                   std::span<const float> most);
 
+/// Whether a surface responds immediately to the sun: it has no layers, or they hold less than
+/// 15 kJ m⁻² K⁻¹ (ten minutes at 25 W m⁻² K⁻¹).
+bool follows_at_once(const ThermalSurface& surface);
+
 /// (facet) [K] Largest effect of full sun on facets that respond immediately, with layers of less
 /// than 15 kJ m⁻² K⁻¹ (ten minutes at 25 W m⁻² K⁻¹): absorbed sunlight of 1000 W m⁻² over the heat
 /// transfer of its faces by radiation and by a film of 4 W m⁻² K⁻¹, or its constant film. 0 for all

@@ -41,7 +41,7 @@ const std::vector<NamingKey> naming_keys = {
          return More{.tables = "[terrain.land_cover]\nfile = \"" + n +
                                "\"\nmaterial = { 1 = \"concrete\" }\n"};
      }},
-    {"shapes[0].file", ".geojson",
+    {"shapes.file", ".geojson",
      [](const std::string& n) {
          return More{.tables = "[[shapes]]\nfile = \"" + n + "\"\nmaterial = \"concrete\"\n"};
      }},

@@ -155,5 +155,5 @@ TEST_CASE("mistakes in a target are reported with their place", "[scenes][target
                Contains("between: connects 'lid' and 'ground' as"));
     CHECK_THAT(reported("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
     write_text(folder.path / "mesh.parts.toml", "[[part]]\nname = \"lid\"\nheat = 5\n");
-    CHECK_THAT(reported(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));
+    CHECK_THAT(reported(""), Contains("mesh.parts.toml:3:1: part.heat: unknown key"));
 }

@@ -1,4 +1,4 @@
-#include "terrain/ground/smooth_normals.hpp"
+#include "terrain/relief/smooth_normals.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include "materials/base/error.hpp"
 #include "tests/support/small_scene.hpp"
+#include "thermal/weather_file/foreign_columns.hpp"
 #include "thermal/weather_file/read_weather.hpp"
-#include "thermal/weather_file/recognised_columns.hpp"
 #include "thermal/weather_file/separators.hpp"
 
 // Tables of weather with other separators and names than the program's.

@@ -126,7 +126,7 @@ TEST_CASE("bash completes verbs, options and their words", "[package]") {
             .out;
     };
     CHECK(completed("diurna cro") == "crossover\n");
-    CHECK(completed("diurna c") == "check column crossover contrast calibrate\n");
+    CHECK(completed("diurna c") == "check column contrast crossover calibrate\n");
     CHECK(completed("diurna run scene.toml --al") == "--allow-outside\n");
     CHECK(completed("diurna run scene.toml --progress j") == "json\n");
     CHECK(completed("diurna run sce") == "\n");  // a file: left to bash

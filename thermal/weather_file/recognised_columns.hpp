@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "materials/base/csv.hpp"
-#include "thermal/weather_file/own_csv.hpp"
+#include "thermal/weather_file/quantity.hpp"
 
 namespace diurna {
 
@@ -23,13 +23,6 @@ struct RecognisedColumn {
 /// A unit is what stands in brackets or after the last '_', ' ' or ','; a time has its offset in
 /// its name (UTC, GMT) or in its cells.
 std::vector<RecognisedColumn> recognised_columns(const CsvTable& table);
-
-/// Declarations of a weather file in CSV whose own column names are not the program's, if time and
-/// air temperature are recognised with offset and unit; else none.
-std::vector<RecognisedColumn> recognised_columns_of(const std::filesystem::path& file);
-
-/// For WeatherOptions::columns; those that are not whole are skipped.
-std::vector<DeclaredColumn> declared_columns(const std::vector<RecognisedColumn>& columns);
 
 /// Lines of [weather.columns]: "Temp (°C)" = "air_temperature degC".
 std::vector<std::string> as_declarations(const std::vector<RecognisedColumn>& columns);

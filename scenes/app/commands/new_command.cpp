@@ -25,8 +25,8 @@
 #include "terrain/place/local_time.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
+#include "thermal/weather_file/foreign_columns.hpp"
 #include "thermal/weather_file/read_weather.hpp"
-#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 

@@ -23,7 +23,7 @@ struct CheckPoint {
 struct CheckPoints {
     std::vector<CheckPoint> point;
     /// (patch) First for each point one of 5 cm, or a tenth of its facet, on ground with the normal
-    /// of the smooth surface that the mesh describes (terrain/ground/smooth_normals.hpp); then for
+    /// of the smooth surface that the mesh describes (terrain/relief/smooth_normals.hpp); then for
     /// each its whole facet again. Their view factors use `rays` rays: the first patches give the
     /// error of facets, the others the part of it due to the facets' number of rays.
     BesideFacets beside;

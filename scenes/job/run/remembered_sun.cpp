@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "materials/base/units.hpp"
+#include "render/view/pixel_heat.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/column/step_response.hpp"
@@ -38,7 +39,8 @@ double film_of(const ThermalSurface& surface, const Forcing& weather) {
 std::array<double, lags.size()> weights_of(const ThermalSurface& surface, double film,
                                            const std::array<double, lags.size()>& sun) {
     std::array<double, lags.size()> weight{1.0};
-    if (surface.layers.empty() || std::holds_alternative<TwoSource>(surface.canopy)) return weight;
+    if (follows_at_once(surface) || std::holds_alternative<TwoSource>(surface.canopy))
+        return weight;
     const std::vector<double> warm = step_response(surface, film, std::span(ends).subspan(1));
     double sum = 0.0;
     for (std::size_t k = 0; k < weight.size(); ++k) {

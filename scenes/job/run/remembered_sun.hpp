@@ -9,7 +9,8 @@
 
 namespace diurna {
 
-/// The sun over a scene in the four hours before a picture, for temperatures within facets.
+/// The sun over a scene in the four hours before a picture, for temperatures within facets:
+/// (T55) of docs/theory.md.
 struct RememberedSun {
     PastSun past{};
     /// (lag)(surface) Sunlit shares at four moments, 6 to 165 minutes earlier; empty: none.

@@ -28,9 +28,9 @@ struct ChangedSeries {
 /// temperature [K], or of its radiance where the quick-look shows that
 /// (render/picture/quicklook.hpp), due to the uncertain values: the root sum square of the pixel's
 /// changes when they are changed one after the other, by one standard deviation each. To first
-/// order, for independent values; NaN where a picture has no value. All of it is included that a
-/// value changes: heat, light, air and emissivity. Rays are those of the frame, so the noise of a
-/// pixel cancels.
+/// order, for independent values: (T54) of docs/theory.md; NaN where a picture has no value. All of
+/// it is included that a value changes: heat, light, air and emissivity. Rays are those of the
+/// frame, so the noise of a pixel cancels.
 ///
 /// - changed: the same observer in the scenes with changed values
 /// - blurred: as in the frame (scenes/job/run/picture.hpp)

@@ -14,8 +14,8 @@
 #include "terrain/raster/zip_archive.hpp"
 #include "thermal/temperature_mesh.hpp"
 #include "thermal/temperature_names.hpp"
+#include "thermal/weather_file/foreign_columns.hpp"
 #include "thermal/weather_file/read_weather.hpp"
-#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 

@@ -8,8 +8,8 @@
 #include "materials/base/error.hpp"
 #include "materials/matter/read_brdf.hpp"
 #include "scenes/products/export/inspect.hpp"
+#include "thermal/weather_file/foreign_columns.hpp"
 #include "thermal/weather_file/quantity.hpp"
-#include "thermal/weather_file/recognised_columns.hpp"
 
 namespace diurna {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "scenes/products/export/inspect.hpp"
+#include "thermal/weather_file/foreign_columns.hpp"
 #include "thermal/weather_file/read_weather.hpp"
-#include "thermal/weather_file/recognised_columns.hpp"
 #include "thermal/weather_file/unused_columns.hpp"
 
 namespace diurna {

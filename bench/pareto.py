@@ -142,7 +142,8 @@ def difference(out, reference):
 def rows_of(program, name, tolerances, work):
     folder, select = work / name, SAMPLES.get(name, [])
     if name in SAMPLES:
-        shutil.copytree(ROOT / "scenes" / name, folder)
+        for sample in {name, "jacksboro"}:  # whose elevation and weather the others take
+            shutil.copytree(ROOT / "scenes" / sample, work / sample, dirs_exist_ok=True)
     else:
         folder.mkdir()
         made_scene(name, folder)

@@ -53,7 +53,7 @@ struct SunCast {
     std::span<const std::uint8_t> crossed;  // facets_with_edges()
 };
 
-/// Which samples are asked for the sun, and which sun.
+/// Which samples cast a ray to the sun, and to which sun.
 struct Asked {
     bool every = false;  // though the first ones are alike
     bool past = false;   // SunOverFacets::past

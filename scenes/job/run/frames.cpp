@@ -180,8 +180,8 @@ class ChangedViews {
     std::vector<ChangedSeries> series_;
 };
 
-/// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
-/// frame alone is what it is among others.
+/// A frame of a moving observer, or while an object moves: with a view of its own, so that it has
+/// the same bytes alone as in its sequence.
 void render_alone(const FrameWork& work, std::size_t frame) {
     const Instant instant = work.sequence().frame[frame];
     const Observer& eye = work.sequence().at(frame);

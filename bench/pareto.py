@@ -2,9 +2,9 @@
 """Run time against error of pictures: bench/pareto.py DIURNA [--scenes a,b] [--tolerances 2,0.1] [--out FILE.csv] [--check FILE.csv]
 
 For each scene and `tolerance_K`: processor seconds (user and system, one thread), peak memory, the error that the run itself
-measured (`diurna audit`, 1000 places, with its 95 % interval) and the true one: the difference of apparent temperature in 8-12 um
+measured (`diurna audit`, 1000 places, with its 95 % interval; with the error of samples that its notes give) and the true one: the difference of apparent temperature in 8-12 um
 to a reference run, over pixels that show the same object and material in both. The reference has edges, mesh tolerance and
-steps half as large, 4 times the rays to the sky and 16 to the sun's disc, and other random numbers; what is left of its own
+steps half as large, 4 times the samples in pixels and the rays to the sky, 16 rays to the sun's disc, and other random numbers; what is left of its own
 error is about a quarter of the default's. Seconds are also given as a ratio to a loop that this script times beside each run
 (`calibration_s`: products of matrices), so that another machine can be compared: --check runs the scenes of a
 committed file again and fails where the ratio grew by more than 25 %, or the true error by more than 10 %.
@@ -86,12 +86,15 @@ def made_scene(name, folder):
 
 
 def finer(text, factor):
-    """The scene with every edge, every mesh tolerance and the step divided."""
+    """The scene with every edge, every mesh tolerance and the step divided, and more samples in pixels."""
     text = re.sub(r"(?m)^((?:largest_edge_m|ground_edge_m|tolerance_m|step_s) *= *)([\d.]+)", lambda m: f"{m[1]}{float(m[2]) / factor:.6g}", text)
+    text = re.sub(r"(?m)^samples *= *(\d+)", lambda m: f"samples = {int(m[1]) * factor ** 2}", text)
     tables = re.split(r"(?m)^(?=\[)", text)
     for i, table in enumerate(tables):
         if table.startswith("[[object]]") and "largest_edge_m" not in table:
             tables[i] = table.rstrip("\n") + ('\ndetail = "high"\n' if "model =" in table and "detail" not in table else f"\nlargest_edge_m = {0.5 / factor}\n") + "\n"
+        if table.startswith("[[observer]]") and not re.search(r"(?m)^samples *=", table):
+            tables[i] = table.rstrip("\n") + f"\nsamples = {16 * factor ** 2}\n\n"
         if table.startswith("[time]") and "step_s" not in table:
             tables[i] = table.rstrip("\n") + f"\nstep_s = {600 / factor}\n\n"
     return "".join(tables)
@@ -157,9 +160,11 @@ def rows_of(program, name, tolerances, work):
         loop = min(loop, calibration())
         told, _, _ = cost([program, "audit", out, "--allow-outside", "--checks", "1000"])
         rms = re.search(r"rms difference +([\d.e-]+) K +95 % interval ([\d.e-]+) to ([\d.e-]+)", told)
+        samples = max((float(k) for k in re.findall(r"note: samples: pictures of \S+ differ by ([\d.e-]+) K rms", said)), default=0.0)
+        reported = [f"{math.hypot(float(k), samples):.3f}" for k in rms.groups()] if rms else [""] * 3
         true, worst, pixels = difference(out, reference)
         yield dict(zip(FIELDS, [name, tolerance, f"{seconds:.2f}", f"{loop:.3f}", f"{seconds / loop:.2f}", f"{peak:.0f}", re.search(r"(?m)^(\d+) facets,", said)[1],
-                                *(rms.groups() if rms else ("", "", "")), f"{true:.4f}", f"{worst:.3f}", pixels]))
+                                *reported, f"{true:.4f}", f"{worst:.3f}", pixels]))
         shutil.rmtree(out)
 
 

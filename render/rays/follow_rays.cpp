@@ -1,24 +1,18 @@
 #include "render/rays/follow_rays.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "materials/base/parallel.hpp"
-#include "materials/matter/microfacet.hpp"
 #include "materials/matter/waves.hpp"
 #include "render/rays/lobe.hpp"
-#include "render/rays/merge.hpp"
+#include "render/rays/pixel_walks.hpp"
 #include "render/view/pixel_rays.hpp"
 #include "render/view/textured_hit.hpp"
 
 namespace diurna {
 
 namespace {
-
-double fraction(double x) { return x - std::floor(x); }
 
 /// (target of the view) whether its material needs rays.
 std::vector<bool> targets_that_need_rays(const View& view, const SecondaryScene& scene) {
@@ -48,40 +42,27 @@ bool near_plume(std::size_t pixel, const PixelRays& rays, const Observer& observ
     });
 }
 
-std::vector<std::uint32_t> special_pixels(const View& view, const SecondaryScene& scene,
-                                          const Observer& observer) {
-    std::vector<std::uint32_t> pixels;
+std::vector<AskedPixel> special_pixels(const View& view, const SecondaryScene& scene,
+                                       const Observer& observer, const PixelRays& eye) {
+    std::vector<AskedPixel> pixels;
     const std::vector<bool> target = targets_that_need_rays(view, scene);
     const auto spheres = scene.plumes.spheres();
     if (spheres.empty() && std::find(target.begin(), target.end(), true) == target.end()) {
         return pixels;
     }
-    const PixelRays rays = pixel_rays(observer);
     for (std::size_t p = 0; p < view.pixels(); ++p) {
+        if (near_plume(p, eye, observer, spheres)) {
+            pixels.push_back({static_cast<std::uint32_t>(p)});
+            continue;
+        }
         bool found = false;
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1] && !found; ++k) {
             found = target[view.sighting[k].target];
         }
-        if (found || near_plume(p, rays, observer, spheres)) {
-            pixels.push_back(static_cast<std::uint32_t>(p));
-        }
+        if (!found) continue;
+        pixels.push_back({static_cast<std::uint32_t>(p), pixel_shares(view, p, scene, eye)});
     }
     return pixels;
-}
-
-/// Rays of a pixel into lobes that meet things near by: as many as these, at most so many for each
-/// sample. Those of a pixel are a lattice (golden_section): a straight edge's share of 64 is found
-/// to 0.003.
-constexpr int lobe_rays_of_pixel = 64, most_lobe_rays = 4;
-
-/// The samples take the lattice's points in steps of this, so that those in one part of a pixel,
-/// where a mirror's edge crosses it, spread over the whole lobe: of 256 half find a share to 0.014
-/// rms, in the lattice's own order to 0.17 in the lower half. Near a quarter, prime to their
-/// number.
-int lattice_step(int samples) {
-    int step = std::max(1, static_cast<int>(std::lround(samples * (std::sqrt(5.0) - 2.0))));
-    while (std::gcd(step, samples) != 1) ++step;
-    return step;
 }
 
 /// Whether a ray into a lobe met a facet.
@@ -99,17 +80,19 @@ bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const Secondary
 
 /// (index among the pixels asked) whether lobes are to have more rays there: where one met a facet,
 /// and the pixels about it, so that the choice depends little on chance.
-std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size_t width,
+std::vector<bool> near_in_lobes(std::span<const AskedPixel> pixels, std::size_t width,
                                 const std::vector<std::vector<SecondaryRay>>& found,
                                 const SecondaryScene& scene) {
     std::vector<std::uint32_t> met;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        if (meets_in_lobe(found[k], scene)) met.push_back(pixels[k]);
+        if (meets_in_lobe(found[k], scene)) met.push_back(pixels[k].pixel);
     }
     std::vector<bool> near(pixels.size(), false);
     const auto mark = [&](std::size_t pixel) {
-        const auto at = std::lower_bound(pixels.begin(), pixels.end(), pixel);
-        if (at != pixels.end() && *at == pixel) near[std::size_t(at - pixels.begin())] = true;
+        const auto at = std::lower_bound(
+            pixels.begin(), pixels.end(), pixel,
+            [](const AskedPixel& asked, std::size_t sought) { return asked.pixel < sought; });
+        if (at != pixels.end() && at->pixel == pixel) near[std::size_t(at - pixels.begin())] = true;
     };
     for (const std::uint32_t p : met) {
         for (const std::ptrdiff_t down : {-1, 0, 1}) {
@@ -123,79 +106,6 @@ std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size
     }
     return near;
 }
-
-/// The rays of pixels, followed.
-struct PixelWalks {
-    const SecondaryScene& scene;
-    const Observer& observer;
-    const PixelRays& eye;
-    const ViewOptions& options;
-    const SecondarySampling* sampling;
-
-    /// What a pixel's first samples meet, merged; empty where they meet what the view has already.
-    /// And how many samples the pixel wants.
-    std::vector<SecondaryRay> first(std::size_t p, int& wanted) const {
-        wanted = sampling ? sampling->options.from : options.samples;
-        if (sampling == nullptr) return walked(p, wanted, 1, options.seed, nullptr);
-        std::vector<double> values;
-        std::vector<SecondaryRay> seen = walked(p, wanted, 1, options.seed, &values);
-        if (!seen.empty()) wanted = samples_wanted(values, *sampling);
-        return seen;
-    }
-
-    /// What as many samples as it wants meet.
-    ///
-    /// - many: rays into lobes
-    std::vector<SecondaryRay> all(std::size_t p, int samples, bool many) const {
-        const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
-        return walked(p, samples, many ? std::min(most_lobe_rays, wanted) : 1,
-                      options.seed + golden_step, nullptr);
-    }
-
- private:
-    /// - values: what each sample shows; null: not requested
-    std::vector<SecondaryRay> walked(std::size_t p, int samples, int lobe_rays, std::uint64_t seed,
-                                     std::vector<double>* values) const {
-        const auto [columns, rows] = nearly_square(samples);
-        const auto width = static_cast<std::size_t>(observer.width);
-        std::vector<SecondaryRay> sample, seen;
-        RandomStream of_pixel{(seed << 32) + p};
-        const double offset = of_pixel();
-        const int step = lattice_step(samples);
-        const std::array<double, 2> turn = {of_pixel(), of_pixel()};
-        for (int s = 0; s < samples; ++s) {
-            RandomStream chance{(seed * golden_step) ^
-                                ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
-            const double x = chance(), y = chance();
-            const double column = double(p % width) + (s % columns + x) / columns;
-            const double row = double(p / width) + (double(s / columns) + y) / rows;
-            const double when = exposed(std::size_t(s), offset);
-            const int point = s * step % samples;
-            sample.clear();
-            walk(scene,
-                 {.origin = observer.position + eye.start(column, row, when),
-                  .direction = eye.towards(column, row, when),
-                  .weight = 1.0f / static_cast<float>(samples),
-                  .lobe = {.count = lobe_rays,
-                           .first = {fraction(turn[0] + double(point) / (samples * lobe_rays)),
-                                     fraction(turn[1] + point * golden_section)},
-                           .step = {1.0 / lobe_rays, samples * golden_section}}},
-                 chance, sample);
-            if (values) sample_values(scene, sample, sampling->appearances, *values);
-            add_sample(sample, scene.plumes, seen);
-        }
-        // Past the plumes after all?
-        const bool plain =
-            std::all_of(seen.begin(), seen.end(), [&](const SecondaryRay& secondary) {
-                return secondary.before < 0 && !secondary.closed &&
-                       secondary.kind != SecondaryRay::Kind::plume &&
-                       !(secondary.kind == SecondaryRay::Kind::facet &&
-                         scene.needs_rays(secondary.surface()));
-            });
-        if (plain) seen.clear();
-        return seen;
-    }
-};
 
 /// Takes what pixels see out of a view.
 void take_out(std::span<const std::uint32_t> pixels, View& view) {
@@ -223,7 +133,8 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
     SecondaryRays secondary_rays;
     secondary_rays.observer_height = view.observer_height;
     secondary_rays.row.assign(1, 0);
-    const std::vector<std::uint32_t> asked = special_pixels(view, scene, observer);
+    const PixelRays eye = pixel_rays(observer);
+    const std::vector<AskedPixel> asked = special_pixels(view, scene, observer, eye);
     if (asked.empty()) return secondary_rays;
 
     std::optional<TexturedHit> textured;
@@ -232,7 +143,6 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
         textured.emplace(*options.texture_levels, observer, options.samples);
         with_textures.textured = &*textured;
     }
-    const PixelRays eye = pixel_rays(observer);
     const PixelWalks walks{with_textures, observer, eye, options, sampling};
     std::vector<std::vector<SecondaryRay>> found(asked.size());
     std::vector<int> wanted(asked.size());
@@ -245,12 +155,13 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
         asked.size(),
         [&](std::size_t k) {
             if (!near[k] && wanted[k] <= first) return;
-            found[k] = walks.all(asked[k], wanted[k], near[k]);
+            std::vector<SecondaryRay> more = walks.all(asked[k], wanted[k], near[k]);
+            if (!more.empty()) found[k] = std::move(more);
         },
         16);
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (found[k].empty()) continue;
-        secondary_rays.pixel.push_back(asked[k]);
+        secondary_rays.pixel.push_back(asked[k].pixel);
         secondary_rays.secondary.insert(secondary_rays.secondary.end(), found[k].begin(),
                                         found[k].end());
         secondary_rays.row.push_back(static_cast<std::uint32_t>(secondary_rays.secondary.size()));

@@ -57,6 +57,15 @@ std::vector<double> smoothed(const View& view, const std::vector<double>& values
 /// Extra samples of a level: 0, 16, 48, 112 ...
 int extra(int level) { return 16 * ((1 << level) - 1); }
 
+/// [K] Root mean square over pixels, of `from` samples and the others wanted, weighted by n^3/2.
+double error_of(std::span<const double> of_one, std::span<const int> wanted, int from) {
+    double sum = 0.0;
+    for (std::size_t p = 0; p < of_one.size(); ++p) {
+        sum += of_one[p] / (std::pow(from, 1.5) + std::pow(wanted[p] - from, 1.5));
+    }
+    return std::sqrt(sum / double(std::max<std::size_t>(1, of_one.size())));
+}
+
 }  // namespace
 
 std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& views,
@@ -81,24 +90,29 @@ std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& 
     return appearance;
 }
 
-std::vector<int> samples_wanted(const View& view, std::span<const Appearance> appearances,
-                                const AdaptiveOptions& options) {
+std::vector<double> variance_of_one(const View& view, std::span<const Appearance> appearances,
+                                    int samples) {
     std::vector<double> own(view.pixels());
     for_each_index(own.size(), [&](std::size_t p) {
         const double sights = double(view.row[p + 1] - view.row[p]) + (view.sky[p] > 0.0f);
-        own[p] = std::max(0.0, variance(view, p, appearances, options.from)) *
+        own[p] = std::max(0.0, variance(view, p, appearances, samples)) *
                  std::sqrt(std::max(0.0, sights - 1.0));
     });
     const std::vector<double> around = smoothed(view, own);
-    std::vector<double> need(own.size());
+    for (std::size_t p = 0; p < own.size(); ++p) own[p] = 0.5 * (own[p] + around[p]);
+    return own;
+}
+
+std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options) {
+    std::vector<double> need(of_one.size());
     double mean = 0.0;
-    for (std::size_t p = 0; p < own.size(); ++p) {
-        need[p] = std::pow(0.5 * (own[p] + around[p]), 0.4);
-        mean += need[p] / double(own.size());
+    for (std::size_t p = 0; p < need.size(); ++p) {
+        need[p] = std::pow(of_one[p], 0.4);
+        mean += need[p] / double(need.size());
     }
     const double scale = std::pow(mean / (options.tolerance * options.tolerance), 2.0 / 3.0);
-    std::vector<int> wanted(own.size());
-    for (std::size_t p = 0; p < own.size(); ++p) {
+    std::vector<int> wanted(need.size());
+    for (std::size_t p = 0; p < need.size(); ++p) {
         int level = 0;
         // The middle of two levels by ratio.
         while (options.from + extra(level + 1) <= options.to &&
@@ -131,7 +145,9 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
     ViewOptions round = view_options;
     round.samples = options.from;
     View view = cast_view(scene, facets, observer, round);
-    const std::vector<int> wanted = samples_wanted(view, appearances, options);
+    const std::vector<double> of_one = variance_of_one(view, appearances, options.from);
+    const std::vector<int> wanted = samples_wanted(of_one, options);
+    view.sampling_error = error_of(of_one, wanted, options.from);
     for (int level = 1; options.from + extra(level) <= options.to; ++level) {
         std::vector<std::uint8_t> asked(view.pixels());
         std::vector<float> share(view.pixels(), 0.0f);

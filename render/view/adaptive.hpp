@@ -34,23 +34,30 @@ std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& 
                                       const MaterialLibrary& materials,
                                       std::span<const float> temperature, const Band& band);
 
-/// Samples of each pixel that reach the tolerance at the lowest total cost.
+/// (pixel) [K²] Variance of the mean of one sample, A: the mean of n has A n^-3/2.
 ///
 /// Of n samples in a grid of cells only cells crossed by a border between facets have an error:
-/// with K facets in the pixel about √(K − 1) √n of them. So the error of their mean is about A
-/// n^-3/2, A = σ² √(K − 1), σ the samples' standard deviation in the worst appearance. For a given
-/// total of samples the sum of these over the picture is least with n in proportion to A^2/5 (as
-/// Neyman 1934 for n^-1), and its mean is the square of the tolerance with n = A^2/5 (mean A^2/5 /
-/// tolerance²)^2/3. A is the mean of the pixel's own and of that of the 3 × 3 around it, as `from`
-/// samples estimate a variance poorly and miss small things.
+/// with K facets in the pixel about √(K − 1) √n of them. So the variance of their mean is about A
+/// n^-3/2, A = σ² √(K − 1), σ the samples' standard deviation in the worst appearance. A is the
+/// mean of the pixel's own and of that of the 3 × 3 around it, as few samples estimate a variance
+/// poorly and miss small things.
 ///
+/// - view: of `samples` a pixel
+std::vector<double> variance_of_one(const View& view, std::span<const Appearance> appearances,
+                                    int samples);
+
+/// Samples of each pixel that reach the tolerance at the lowest total cost: for a given total of
+/// samples the sum of A n^-3/2 over the picture is least with n in proportion to A^2/5 (as Neyman
+/// 1934 for n^-1), and its mean is the square of the tolerance with n = A^2/5 (mean A^2/5 /
+/// tolerance²)^2/3.
+///
+/// - of_one: (pixel) A [K²]
 /// returns  (pixel) from + 0, 16, 48, 112, 240 ..., whole ray packets, the nearest to n by ratio
-std::vector<int> samples_wanted(const View& view, std::span<const Appearance> appearances,
-                                const AdaptiveOptions& options);
+std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options);
 
 /// cast_view() with `from` samples, then with more in the pixels that need them. `view.samples` is
-/// not used. A pixel's mean weights its two rounds by n^3/2, the inverse of their errors. The same
-/// for any number of threads.
+/// not used. A pixel's mean weights its two rounds by n^3/2, the inverse of their errors. What they
+/// leave is View::sampling_error. The same for any number of threads.
 ///
 /// Bias: an object with a share p of a pixel that all `from` independent samples miss, with
 /// probability (1 − p)^from, is only sampled again if its neighbours vary: it appears too faint by

@@ -72,11 +72,14 @@ TEST_CASE("samples go where the spread is, in proportion", "[render][adaptive]")
         view.row.push_back(static_cast<std::uint32_t>(view.sighting.size()));
     }
     const Appearance appearance{.facet = {290.0f, 310.0f}, .sky = 250.0f};
-    CHECK(samples_wanted(view, {&appearance, 1}, {.from = 16, .to = 256, .tolerance = 0.1}) ==
+    const std::vector<double> of_one = variance_of_one(view, {&appearance, 1}, 16);
+    CHECK(of_one[4] == Approx(71.1).epsilon(1e-3));
+    CHECK(of_one[3] == Approx(17.8).epsilon(2e-3));
+    CHECK(samples_wanted(of_one, {.from = 16, .to = 256, .tolerance = 0.1}) ==
           std::vector<int>{16, 16, 16, 64, 128, 64, 16, 16, 16});
-    CHECK(samples_wanted(view, {&appearance, 1}, {.from = 16, .to = 32, .tolerance = 0.1}) ==
+    CHECK(samples_wanted(of_one, {.from = 16, .to = 32, .tolerance = 0.1}) ==
           std::vector<int>{16, 16, 16, 32, 32, 32, 16, 16, 16});
-    CHECK(samples_wanted(view, {&appearance, 1}, {.from = 16, .to = 256, .tolerance = 50.0}) ==
+    CHECK(samples_wanted(of_one, {.from = 16, .to = 256, .tolerance = 50.0}) ==
           std::vector<int>(9, 16));
 }
 
@@ -128,7 +131,8 @@ TEST_CASE("adaptive sampling is ahead of uniform", "[render][adaptive][by_replic
     CAPTURE(even, spent, rays);
     CHECK(rays < 1.0);
     CHECK(spent < 0.8 * even);
-    CHECK(spent < 0.08);  // the tolerance
+    CHECK(spent < 0.08);                                           // the tolerance
+    CHECK(adaptive.sampling_error == Approx(spent).epsilon(0.3));  // that of the truth is small
 }
 
 // Squares of 1/17 of a pixel, one in 7 × 7 pixels: the worst share for being missed by 16.

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "materials/base/units.hpp"
 #include "render/rays/follow_rays.hpp"
 #include "tests/support/secondary_stage.hpp"
 
@@ -145,4 +146,42 @@ TEST_CASE("a rough mirror that fills half a pixel has its whole lobe", "[render]
         CHECK(in_half.met == Approx(in_whole.met).margin(0.04));
         CHECK(in_half.warm == Approx(in_whole.warm).margin(0.04));
     }
+}
+
+// Panes whose edges cut 1/20 of the pixels in a column: 16 samples of each pixel alone miss most or
+// count them double; the view's 1024 samples know the share to 0.01, and followed rays only what is behind.
+TEST_CASE("a pane's share of a pixel is that of the view", "[render][secondary]") {
+    SecondaryStage stage;
+    const Observer eye = stage.observer(9, 2.0);
+    // [m] a pixel's width at 30 m
+    const double width = 2.0 * 30.0 * std::tan(radians(1.0)) / 9.0, edge = 0.5 * width;
+    stage.rectangle(
+        {{edge - 0.05 * width, 30, -5}, {8, 30, -5}, {8, 30, 5}, {edge - 0.05 * width, 30, 5}},
+        pane(0.0, 0.7), 300.0f);
+    stage.wall(80.0, 40.0, plain(0.0), 330.0f);
+    const RayScene scene(stage.facets);
+    const MaterialLibrary materials(stage.all);
+    const PlumeScene none(stage.plumes);
+    const SecondaryScene place{
+        .rays = scene, .facets = stage.facets, .materials = materials, .plumes = none};
+    Appearance look{.facet = stage.temperature, .sky = 250.0f};
+    const SecondarySampling sampling{{.from = 16, .to = 256, .tolerance = 0.3}, {&look, 1}};
+    View view = cast_view(scene, stage.facets, eye, {.samples = 1024});
+    const SecondaryRays rays = follow_rays(view, place, eye, {.samples = 16}, &sampling);
+    int cut = 0;
+    for (std::size_t k = 0; k < rays.pixel.size(); ++k) {
+        if (rays.pixel[k] % 9 != 4) continue;
+        double covered = 0.0, behind = 0.0, whole = 0.0;
+        for (const SecondaryRay& ray : rays.of(k)) {
+            const bool in_pane = stage.temperature[ray.what] < 310.0f;
+            whole += ray.before < 0 ? double{ray.weight} : 0.0;
+            covered += in_pane ? double{ray.weight} : 0.0;
+            behind += ray.before >= 0 ? double{ray.weight} : 0.0;
+        }
+        ++cut;
+        CHECK(covered == Approx(0.05).margin(0.01));
+        CHECK(behind == Approx(covered).epsilon(1e-4));
+        CHECK(whole == Approx(1.0).epsilon(1e-4));
+    }
+    CHECK(cut == 9);
 }

@@ -261,7 +261,7 @@ void read_sampling(const Section& section, ObserverInput& observer) {
     observer.samples =
         section.integer_or("samples",
                            "rays per pixel; from 4 on, pixels with temperature differences in 8-12 "
-                           "um get up to 16 times as many, at most 256 (not with `surfaces`)",
+                           "um get up to 256 (not with `surfaces`)",
                            16, {1, 1024});
     if (!section.has("adaptive")) return;
     observer.adaptive = read_adaptive(section.section(

@@ -34,6 +34,11 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
         if (!scattered.empty()) line += "; light scattered in front of surfaces: " + scattered;
         lines.push_back(std::move(line));
     }
+    if (const std::string samples = worst_note(reported, "samples"); !samples.empty()) {
+        lines.push_back("samples: pictures of " + observer.name + " differ by " + samples +
+                        " from those with unlimited rays per pixel (estimated from differences "
+                        "within pixels)");
+    }
     if (const std::string water = worst_note(reported, "water"); !water.empty()) {
         lines.push_back("wet and snow-covered surfaces, frame with most of them: " + observer.name +
                         ": " + water);

@@ -36,12 +36,11 @@ void without_textures(const TextureLevels& levels, std::vector<Appearance>& look
     }
 }
 
-/// Of an observer with so many samples a pixel: more, up to 16 times as many and no more than 256,
-/// where what a pixel sees differs in heat. Sixteen alone leave 0.2 to 0.3 K rms in a close view of
+/// Of an observer with so many samples a pixel: more, up to 256, where what a pixel sees differs in
+/// heat. Sixteen alone leave 0.2 to 0.3 K rms in a close view of
 /// vehicles and nets.
 AdaptiveOptions finer_at_edges(int samples) {
-    return {
-        .from = samples, .to = std::max(samples, std::min(256, 16 * samples)), .tolerance = 0.02};
+    return {.from = samples, .to = std::max(samples, 256), .tolerance = 0.02};
 }
 
 }  // namespace

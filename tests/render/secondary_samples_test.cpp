@@ -149,7 +149,8 @@ TEST_CASE("a rough mirror that fills half a pixel has its whole lobe", "[render]
 }
 
 // Panes whose edges cut 1/20 of the pixels in a column: 16 samples of each pixel alone miss most or
-// count them double; the view's 1024 samples know the share to 0.01, and followed rays only what is behind.
+// count them double; the view's 1024 samples know the share to 0.01, and followed rays only what is
+// behind.
 TEST_CASE("a pane's share of a pixel is that of the view", "[render][secondary]") {
     SecondaryStage stage;
     const Observer eye = stage.observer(9, 2.0);

@@ -62,12 +62,8 @@ TEST_CASE("where several parts are large all of them are reduced, within the key
           "[scenes][recommended]") {
     Scene scene;
     scene.sky_rays = 4096;  // its limit: no further reduction
-    const ErrorParts parts{.ground_rays = 0.02,
-                           .object_rays = 0.02,
-                           .sun_rays = 0.02,
-                           .size = 0.02,
-                           .edge = 2.0,
-                           .material = "grass"};
+    const ErrorParts parts{
+        .ground_rays = 0.02, .object_rays = 0.02, .sun_rays = 0.02, .size = 0.02};
     const std::vector<Recommended> set = recommended_settings(parts, scene, 0.2);
     REQUIRE(set.size() == 3);
     double left = parts.ground_rays;
@@ -76,7 +72,7 @@ TEST_CASE("where several parts are large all of them are reduced, within the key
         CHECK(one.value <= 4096.0);
         left += one.key == "scene.object_sky_rays" ? 0.02 * scene.object_sky_rays / one.value
                 : one.key == "scene.sun_samples"   ? 0.02 * scene.sun_samples / one.value
-                                                   : 0.02 * one.value / 2.0;
+                                                   : 0.02 * scene.finer_edges / one.value;
     }
     CHECK(std::sqrt(left) <= 0.2);
 }
@@ -88,20 +84,14 @@ TEST_CASE("a run with the recommended settings meets its tolerance",
     const double tolerance = 0.14;
     const CheckError before = checked(folder, hall(16.0, tolerance), {});
     CAPTURE(before.rms, before.low, before.parts.ground_rays, before.parts.object_rays,
-            before.parts.sun_rays, before.parts.size, before.parts.edge,
-            in_words(before.set, before.parts.material));
+            before.parts.sun_rays, before.parts.size, in_words(before.set));
     REQUIRE(before.low > tolerance);
     REQUIRE_FALSE(before.set.empty());
-    double edge = 16.0;
     std::vector<std::string> settings;
     for (const Recommended& one : before.set) {
-        if (one.key == "largest_edge_m") {
-            edge = one.value;
-        } else {
-            settings.push_back(fmt::format("{}={:g}", one.key, one.value));
-        }
+        settings.push_back(fmt::format("{}={:g}", one.key, one.value));
     }
-    const CheckError after = checked(folder, hall(edge, tolerance), settings);
+    const CheckError after = checked(folder, hall(16.0, tolerance), settings);
     CAPTURE(after.rms, after.low, after.high);
     CHECK(after.rms < tolerance);
 }

@@ -29,6 +29,7 @@ struct ObjectInput {
     std::vector<Eigen::Vector3d> contact;  // contact points with the ground, in its own frame [m]
     std::string trajectory;                // that it follows: its place and height
     double ground_edge = 0.0;              // [m] of the ground around it; 0: by its size
+    double finer_edges = 1.0;              // that edge is divided by it
     double airspeed = 0.0;                 // [m s⁻¹] along its heading; 0: at rest
     std::vector<std::string> material;     // (part of the mesh)
     TargetInput target;                    // as one thermal network

@@ -37,6 +37,7 @@ struct Building {
     double width, depth, height;
     double heading_deg;  // direction its front faces, clockwise from north
     std::string wall, front, roof;
+    double largest_edge = 3.0, foot_edge = 0.5;  // [m] of its facets; at the foot of its walls
 };
 
 struct TerrainInput {

@@ -78,11 +78,13 @@ struct Scene {
     SweepInput sweep;
     double tolerance = 0.0;        // [K] rms of pictures, for facets not visible; 0: all solved
     bool tolerance_given = false;  // it is in the file
-    bool exact = false;            // no shortcut: `tolerance` is 0, and other tolerances as well
+    int rounds = 2;  // at most, of solving again with finer settings (scenes/job/run/rounds.hpp)
+    bool exact = false;  // no shortcut: `tolerance` is 0, and other tolerances as well
     std::vector<std::string> idle_sky_keys{};  // unused keys of [sky], replaced by `air`
     int sky_rays = 64;                         // per facet of the ground
     int object_sky_rays = 256;                 // per facet of buildings and objects
     int sun_samples = 4;                       // per facet and instant
+    double finer_edges = 1.0;                  // divides the edges of all facets
     int check_points = 128;                    // points in pictures that are solved separately
     std::uint64_t seed = 1;
     std::vector<FileRead> files{};  // all files opened for it so far

@@ -1,4 +1,5 @@
 #include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/input/finer_edges.hpp"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,11 @@ void read_about(const Section& about, Scene& scene) {
         "sun_samples",
         "rays to the sun's disc per facet and instant; four times as many near shadow edges", 4,
         {1, 256});
+    scene.finer_edges = about.number_or(
+        "finer_edges",
+        "divides the edges of all facets: largest_edge_m, ground_edge_m, those of buildings and "
+        "models; tolerance_m of the ground is divided by its square",
+        1.0, {0.25, 16.0});
     scene.check_points = about.integer_or(
         "check_points",
         "places in pictures that are solved separately, each with its own sun, sky and "
@@ -101,6 +107,11 @@ void read_tolerance(const Section& root, Scene& scene) {
                        "thermally coupled to visible ones reuse a representative's temperature; 0: "
                        "every facet is solved. temperatures.nc names the representatives",
                        0.1, {0.0, 10.0});
+    scene.rounds = root.integer_or(
+        "rounds",
+        "how often `run` solves again, with more rays and finer edges, while its surface check "
+        "finds more than tolerance_K",
+        2, {0, 4});
     scene.exact = root.flag_or(
         "exact",
         "solve every facet and every shadow, model all dew, give each copy its own temperatures, "
@@ -283,7 +294,8 @@ Scene read_scene(const Document& document) {
     scene.site = read_site(site);
     const Section terrain =
         root.required_section("terrain", "elevation of the ground and its materials");
-    const ElevationInput elevation = read_elevation_keys(terrain, scene.site);
+    ElevationInput elevation = read_elevation_keys(terrain, scene.site);
+    divide_tolerances(scene.finer_edges, elevation);
     Reading reading{.places{site, terrain, scene.site, elevation}};
     const Section materials = root.section(
         "material",
@@ -295,6 +307,7 @@ Scene read_scene(const Document& document) {
         reading.trajectories.known.push_back(way.name);
     }
     scene.terrain = read_terrain(terrain, root, reading, elevation);
+    divide_edges(scene.finer_edges, scene.terrain);
     for (ObjectInput& object : scene.terrain.objects) {
         if (scene.exact) object.alike_within = 0.0;
     }

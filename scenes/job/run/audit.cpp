@@ -91,7 +91,7 @@ std::vector<std::string> audit_lines(const Audit& audit) {
     }
     if (!error.set.empty() && error.low > audit.tolerance) {
         lines.push_back(fmt::format("{:<24} {}", fmt::format("for {:g} K, set", audit.tolerance),
-                                    in_words(error.set, error.parts.material)));
+                                    in_words(error.set)));
     }
     if (!not_checked.empty()) lines.push_back(not_checked);
     return lines;

@@ -138,22 +138,18 @@ std::pair<double, double> interval(const std::vector<double>& of_point, std::siz
     return {rms[draws / 40], rms[draws - 1 - draws / 40]};
 }
 
-/// [m] Of the points' facets of a material.
-double median_edge(const Prepared& prepared, const CheckPoints& points,
-                   const std::string& material) {
-    const FacetSet& surfaces = prepared.world.surfaces();
-    std::vector<double> edge;
-    for (const CheckPoint& point : points.point) {
-        if (prepared.scene.materials[surfaces.material[index(point.surface)]].kind() != material)
-            continue;
-        edge.push_back(
-            std::sqrt(4.0 / std::sqrt(3.0) * double{surfaces.area[index(point.surface)]}));
+/// What a facet's error of rays r explains of the error e at places on it, by regression: a picture
+/// averages around corners, so only a share of r is left there.
+struct Explained {
+    double cross = 0.0, own = 0.0;  // sums of e r and r² [K²]
+
+    void add(double e, double r) {
+        cross += e * r;
+        own += r * r;
     }
-    if (edge.empty()) return 0.0;
-    const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
-    std::nth_element(edge.begin(), middle, edge.end());
-    return *middle;
-}
+    /// [K²] Sum over the places; 0 where both do not go together.
+    double squares() const { return cross > 0.0 ? cross * cross / own : 0.0; }
+};
 
 /// Squares [K²] and how many.
 struct Sum {
@@ -175,7 +171,8 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
     std::map<std::uint32_t, Sum> observers;
     std::map<std::string, Sum> materials;
     std::vector<double> of_point(count, 0.0);  // [K²] summed over instants
-    double squares = 0.0, by_rays = 0.0, by_sun = 0.0, of_objects = 0.0;
+    double squares = 0.0;
+    Explained of_ground, of_objects, of_sun;
     for (std::size_t a = 0; a < asked; ++a) {
         const std::size_t i = asked > 1 ? a * (all - 1) / (asked - 1) : 0;
         const std::span<const float> kelvin = field.at(i);
@@ -184,11 +181,13 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
             const std::size_t f = index(points.point[k].surface);
             const float* const patch = patches.data() + 2 * i * count;
             const double e = double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]};
-            const double ray = double{kelvin[f]} - double{patch[count + k]};
-            by_rays += ray * ray;
-            const double sun = std::min(ray * ray, double{shown.by_sun[k]} * shown.by_sun[k]);
-            by_sun += sun;
-            if (!prepared.world.on_ground(points.point[k].surface)) of_objects += ray * ray - sun;
+            const double all_rays = double{kelvin[f]} - double{patch[count + k]};
+            const double sun =
+                std::clamp(double{shown.by_sun[k]}, -std::abs(all_rays), std::abs(all_rays));
+            Explained& sky =
+                prepared.world.on_ground(points.point[k].surface) ? of_ground : of_objects;
+            sky.add(e, all_rays - sun);
+            of_sun.add(e, sun);
             off.push_back(std::abs(e));
             squares += e * e;
             of_point[k] += e * e;
@@ -205,12 +204,13 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
         }
     }
     error.rms = std::sqrt(squares / double(off.size()));
-    error.by_rays = std::sqrt(by_rays / double(off.size()));
     const double all_points = double(off.size());
-    error.parts = {.ground_rays = (by_rays - by_sun - of_objects) / all_points,
-                   .object_rays = of_objects / all_points,
-                   .sun_rays = by_sun / all_points,
-                   .size = std::max(0.0, squares - by_rays) / all_points};
+    const double rays = of_ground.squares() + of_objects.squares() + of_sun.squares();
+    error.parts = {.ground_rays = of_ground.squares() / all_points,
+                   .object_rays = of_objects.squares() / all_points,
+                   .sun_rays = of_sun.squares() / all_points,
+                   .size = std::max(0.0, squares - rays) / all_points};
+    error.by_rays = std::sqrt(rays / all_points);
     std::tie(error.low, error.high) = interval(of_point, asked, prepared.scene.seed);
     const auto hundredth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 99 / 100);
     std::nth_element(off.begin(), hundredth, off.end());
@@ -224,10 +224,6 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
     }
     std::stable_sort(error.share.begin(), error.share.end(),
                      [](const auto& a, const auto& b) { return a.rms > b.rms; });
-    if (!error.share.empty()) {
-        error.parts.material = error.share.front().name;
-        error.parts.edge = median_edge(prepared, points, error.parts.material);
-    }
     error.set = recommended_settings(error.parts, prepared.scene, prepared.scene.tolerance);
     return error;
 }
@@ -262,7 +258,7 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
     if (tolerance > 0.0 && error.low > tolerance) {
         line += fmt::format("; this is more than tolerance_K = {:g}", tolerance);
         if (!error.set.empty()) {
-            line += fmt::format("; to meet it, set {}", in_words(error.set, error.parts.material));
+            line += fmt::format("; to meet it, set {}", in_words(error.set));
         }
     }
     return line;

@@ -57,8 +57,10 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{.result = solve_scene(stages, progress, decision), .report = {}};
-    heat.report = heat_report(prepared.scene, heat.result);
+    SolvedScene solved = solve_scene(stages, progress, decision);
+    HeatReport report = heat_report(prepared.scene, solved);
+    report.next = round_after(solved.check, prepared.scene);
+    SceneHeat heat{.result = std::move(solved), .report = std::move(report)};
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
         store->keep(stage, key,

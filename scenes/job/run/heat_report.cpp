@@ -44,6 +44,7 @@ HeatReport heat_report(const Scene& scene, const SpanResult& result) {
 
 void drop_check_of_others(const Scene& scene, HeatReport& report) {
     if (report.checked_in == sha256(scene.said)) return;
+    report.next = {};
     const std::string instead =
         "not measured in these pictures: temperatures are from the cache, checked in an earlier "
         "run's pictures (--fresh solves and checks again)";
@@ -58,6 +59,8 @@ void drop_check_of_others(const Scene& scene, HeatReport& report) {
 Messages as_messages(const HeatReport& report) {
     Messages messages{{"not converged", report.not_converged}, {"start", report.start}};
     if (!report.checked_in.empty()) messages.emplace_back("pictures", report.checked_in);
+    if (!report.next.settings.empty()) messages.emplace_back("missed", report.next.missed);
+    for (const std::string& set : report.next.settings) messages.emplace_back("finer", set);
     for (const std::string& note : report.notes) messages.emplace_back("note", note);
     for (const auto& [name, value] : report.rows) {
         messages.emplace_back(begin_of_row + name, value);
@@ -71,6 +74,8 @@ HeatReport heat_report_of(const Messages& messages) {
         if (name == "not converged") report.not_converged = text;
         if (name == "start") report.start = text;
         if (name == "pictures") report.checked_in = text;
+        if (name == "missed") report.next.missed = text;
+        if (name == "finer") report.next.settings.push_back(text);
         if (name == "note") report.notes.push_back(text);
         if (name.starts_with(begin_of_row)) {
             report.rows.emplace_back(name.substr(std::string(begin_of_row).size()), text);

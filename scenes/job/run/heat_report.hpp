@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scenes/job/input/scene.hpp"
+#include "scenes/job/run/rounds.hpp"
 #include "scenes/job/store/messages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
@@ -21,6 +22,7 @@ struct HeatReport {
     /// (scenes/job/run/check_error.hpp);
     /// "": none were.
     std::string checked_in{};
+    Round next{};  // that the check points ask for (scenes/job/run/rounds.hpp)
 };
 
 HeatReport heat_report(const Scene& scene, const SpanResult& result);

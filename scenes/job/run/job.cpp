@@ -2,27 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
-#include <set>
 
 #include "materials/base/error.hpp"
-#include "materials/base/number_of.hpp"
 #include "scenes/job/plan/frame_files.hpp"
 #include "scenes/job/plan/memory_limit.hpp"
 #include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/run/found_heat.hpp"
 #include "scenes/job/run/frames.hpp"
 #include "scenes/job/run/gathered_parts.hpp"
-#include "scenes/job/run/given_heat.hpp"
+#include "scenes/job/run/given_field.hpp"
 #include "scenes/job/run/heat.hpp"
+#include "scenes/job/run/job_files.hpp"
 #include "scenes/job/run/ledger.hpp"
 #include "scenes/job/run/manifest.hpp"
-#include "scenes/job/run/picture_shares.hpp"
 #include "scenes/job/run/pictures_there.hpp"
 #include "scenes/job/run/radiometers.hpp"
-#include "scenes/job/run/represented.hpp"
+#include "scenes/job/run/rounds.hpp"
 #include "scenes/job/run/run_folder.hpp"
-#include "scenes/job/warnings/scene_warnings.hpp"
 #include "scenes/products/labels/label_frames.hpp"
 #include "scenes/products/report/report.hpp"
 
@@ -42,140 +40,49 @@ void refuse_own(const fs::path& out, const fs::path& from, const char* option) {
                      "to continue an earlier run in the same folder use --resume");
 }
 
-/// What the heat balance leaves in the folder; nothing where temperatures are given.
-std::vector<std::string> heat_files(const Scene& scene, const JobOptions& options) {
-    if (!options.temperatures.empty()) return {};
-    std::vector<std::string> files{"temperatures.nc"};
-    if (scene.output.state) files.emplace_back(state_file);
-    for (std::string& file : radiometer_files(scene)) files.push_back(std::move(file));
-    return files;
-}
-
-/// Makes room for what the ledger has not, and begins it. What is reported of it goes to the
-/// report.
-void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
-                  const Ledger& ledger, Progress& progress, JobReport& report) {
-    std::set<std::string> keep{ledger_file, "manifest.json"};
-    for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
-    clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
-        progress.tell(fmt::format("{}: replaces {} of an earlier run, removes {}", out.string(),
-                                  number_of(cleared.again, "file"), cleared.gone));
-        if (cleared.gone == 0) return;
-        report.remade.push_back(fmt::format("{} of an earlier run removed from {}",
-                                            number_of(cleared.gone, "file"), out.string()));
-    });
-    if (const std::vector<std::string>& changed = ledger.changed(); !changed.empty()) {
-        report.remade.push_back(
-            fmt::format("{} changed since the earlier run (for example {}); regenerated",
-                        number_of(changed.size(), "file"), changed.front()));
-    }
-    for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
-        fs::create_directories(out / folder);
-    }
-    ledger.write(expected);
-}
-
 /// The cache of a run. Scenes with uncertain values changed share at least one of their own.
 std::shared_ptr<const StageStore> shared_stages(const Scene& scene, const JobOptions& options) {
     if (options.stages || scene.uncertain.empty()) return options.stages;
     return StageStore::in_memory();
 }
 
-/// What was reported of the heat balance when it was solved, in this run or the one it is kept
-/// from.
-void report_heat(HeatReport heat, JobReport& report) {
-    report.not_converged = std::move(heat.not_converged);
-    report.start = std::move(heat.start);
-    report.notes.insert(report.notes.end(), heat.notes.begin(), heat.notes.end());
-    report.heat.insert(report.heat.end(), heat.rows.begin(), heat.rows.end());
-}
-
-/// Temperatures that are given; solved instead if too many visible facets have a representative's
-/// there. Throws InputError where they are not of this scene.
-TemperatureField given_field(const Stages& stages, const Manifest& manifest,
-                             const std::vector<ObserverInput>& chosen, const fs::path& file,
-                             Progress& progress, JobReport& report) {
-    std::vector<RunInput> inputs = manifest.inputs;
-    inputs.pop_back();  // the temperatures themselves
-    GivenHeat given = given_heat(stages.scene(), inputs, file);
-    std::vector<Instant> frames;
-    for (const ObserverInput& observer : chosen)
-        frames.insert(frames.end(), observer.frames.begin(), observer.frames.end());
-    check_covers(given.field, frames, file);
-    report.warnings.insert(report.warnings.end(), given.warnings.begin(), given.warnings.end());
-    if (!given.field.solved_as.empty()) {
-        progress.stage(StageId::sky_view);
-        const double tolerance = stages.scene().scene.tolerance;
-        const RepresentedEffect effect =
-            represented_effect(stages, given.field, picture_shares(stages));
-        report.notes.push_back(in_words(effect, file, tolerance, "facets that the pictures need"));
-        if (!effect.within(tolerance)) {
-            SceneHeat heat =
-                scene_heat(stages, inputs, progress, stages.scene().plan.decisions.heat);
-            report.solve = heat.result.report;
-            report.solved = heat.solved;
-            report_heat(std::move(heat.report), report);
-            return std::move(heat.result.temperature);
-        }
-    }
-    report.heat.emplace_back("temperatures", "from file: " + file.filename().string());
-    return std::move(given.field);
-}
-
-/// What --resume has reused, and why where that is nothing.
-std::string resumed(const fs::path& out, const std::string& earlier, const std::string& key,
-                    bool temperatures, std::size_t reused, std::size_t all) {
-    if (earlier.empty()) {
-        return fmt::format("--resume: {} held no earlier run; everything was computed",
-                           out.string());
-    }
-    if (earlier != key) {
-        return fmt::format(
-            "--resume: scene, settings, inputs or program changed since the earlier run in {}; "
-            "everything was computed again",
-            out.string());
-    }
-    return fmt::format("--resume: {}, {} of {} reused from the earlier run in {}",
-                       temperatures ? "temperatures reused" : "temperatures computed", reused,
-                       number_of(all, "view"), out.string());
-}
-
-/// The report before anything is computed.
-JobReport begun_report(const Prepared& prepared, const Manifest& manifest,
-                       const JobOptions& options) {
-    JobReport report{.plan = prepared.plan,
-                     .ground_check = prepared.world.ground_check,
-                     .posts = prepared.world.posts,
-                     .files = heat_files(prepared.scene, options),
-                     .notes = prepared.notes,
-                     .settings = options.settings};
-    for (const RunInput& input : manifest.inputs) {
-        report.inputs.push_back({input.name, input.sha256});
-    }
-    report.warnings = as_lines(scene_warnings(prepared));
-    return report;
+/// The options with finer settings.
+JobOptions with_finer(JobOptions options, const std::vector<std::string>& finer) {
+    options.settings = with_settings(std::move(options.settings), finer);
+    options.scene_with = [before = options.scene_with,
+                          finer](const std::vector<std::string>& more) {
+        return before(with_settings(finer, more));
+    };
+    return options;
 }
 
 /// A run from its scene to its last file.
 class Job {
  public:
-    Job(Scene scene, const JobOptions& options, Progress& progress)
-        : options_(options),
-          out_(options.out),
+    /// - options: with the settings of the rounds before
+    Job(Prepared prepared, JobOptions options, std::vector<Round> rounds, Progress& progress)
+        : options_(std::move(options)),
+          out_(options_.out),
           progress_(progress),
-          prepared_(prepare(std::move(scene))),
-          chosen_(chosen_pictures(prepared_.scene, options.pictures)),
-          stages_(prepared_, shared_stages(prepared_.scene, options)) {}
+          prepared_(std::move(prepared)),
+          rounds_(std::move(rounds)),
+          chosen_(chosen_pictures(prepared_.scene, options_.pictures)),
+          stages_(prepared_, options_.stages) {}
 
-    /// Everything that may be refused is checked before the folder is touched.
-    JobReport run() {
+    /// Everything that may be refused is checked before the folder is touched. Nothing, if
+    /// another_round() is to be run instead.
+    std::optional<JobReport> run() {
         check();
         if (makes_sigma()) {
             changed_ = uncertain_scenes(prepared_, options_.scene_with, stages_.shared_store());
         }
         manifest_ = manifest_of(prepared_, options_.temperatures, options_.settings);
+        manifest_.rounds = rounds_;
         check_no_input_in(out_, manifest_.inputs);
-        report_ = begun_report(prepared_, manifest_, options_);
+        report_ = begun_report(prepared_, manifest_, own_files());
+        for (std::size_t k = 0; k < rounds_.size(); ++k) {
+            report_.notes.push_back(fmt::format("round {}: {}", k + 1, rounds_[k].missed));
+        }
         take_parts();
         TemperatureField given;
         if (!options_.temperatures.empty()) {
@@ -187,10 +94,17 @@ class Job {
         Ledger ledger(out_, manifest_.key, earlier);
         begin_folder(expected_files(), out_, ledger, progress_, report_);
         write_manifest(out_, prepared_.scene, manifest_);
-        const TemperatureField field = temperatures(std::move(given), ledger);
-        render(field, ledger);
-        finish(field, ledger);
+        const std::optional<TemperatureField> field = temperatures(std::move(given), ledger);
+        if (!field) return std::nullopt;
+        render(*field, ledger);
+        finish(*field, ledger);
         return std::move(report_);
+    }
+
+    /// The same job with finer settings.
+    std::unique_ptr<Job> another_round() {
+        return std::make_unique<Job>(
+            std::move(*finer_), with_finer(options_, rounds_.back().settings), rounds_, progress_);
     }
 
  private:
@@ -204,10 +118,13 @@ class Job {
         return !prepared_.scene.uncertain.empty() && options_.temperatures.empty() &&
                options_.scene_with;
     }
+    std::vector<std::string> own_files() const {
+        return heat_files(prepared_.scene, !options_.temperatures.empty());
+    }
     GreyFormat format() const { return prepared_.scene.labels.format; }
     /// Of heat and the chosen pictures.
     std::vector<std::string> expected_files() const {
-        std::vector<std::string> expected = heat_files(prepared_.scene, options_);
+        std::vector<std::string> expected = own_files();
         for (std::string& file : frame_files(chosen_, format())) {
             expected.push_back(std::move(file));
         }
@@ -226,10 +143,32 @@ class Job {
         return options_.resume || given || !options_.parts.empty();
     }
 
-    /// Solves the heat balance and writes what it leaves.
-    TemperatureField write_found(Ledger& ledger) {
+    /// Prepares another round if the surface check asks for one and it fits into memory.
+    bool begin_another(HeatReport& heat) {
+        const Round& next = heat.next;
+        if (next.settings.empty() || !options_.scene_with ||
+            rounds_.size() >= std::size_t(prepared_.scene.rounds)) {
+            return false;
+        }
+        progress_.tell(fmt::format("round {}: {}", rounds_.size() + 1, next.missed));
+        progress_.stage(StageId::terrain);
+        finer_.emplace(prepare(options_.scene_with(next.settings)));
+        try {
+            check_memory(finer_->plan, options_.max_memory);
+        } catch (const InputError& error) {
+            heat.notes.push_back("no further round: " + error.mistakes().front().problem);
+            finer_.reset();
+            return false;
+        }
+        rounds_.push_back(next);
+        return true;
+    }
+
+    /// Solves the heat balance and writes what it leaves; nothing if another round follows.
+    std::optional<TemperatureField> write_found(Ledger& ledger) {
         SceneHeat heat =
             scene_heat(stages_, manifest_.inputs, progress_, prepared_.plan.decisions.heat);
+        if (begin_another(heat.report)) return std::nullopt;
         progress_.stage(StageId::write_temperatures);
         write_heat(prepared_, manifest_.inputs, heat.result, out_ / "temperatures.nc");
         write_radiometers(stages_, heat.result, out_, heat.report);
@@ -239,13 +178,14 @@ class Job {
         return std::move(heat.result.temperature);
     }
 
-    TemperatureField temperatures(TemperatureField given, Ledger& ledger) {
+    std::optional<TemperatureField> temperatures(TemperatureField given, Ledger& ledger) {
         progress_.stage(StageId::sky_view);
         stages_.at(0);
-        TemperatureField field = !options_.temperatures.empty() ? std::move(given)
-                                 : ledger.has(report_.files)
-                                     ? load_temperature_field(out_ / "temperatures.nc")
-                                     : write_found(ledger);
+        std::optional<TemperatureField> field =
+            !options_.temperatures.empty() ? std::move(given)
+            : ledger.has(report_.files)    ? load_temperature_field(out_ / "temperatures.nc")
+                                           : write_found(ledger);
+        if (!field) return field;
         if (options_.temperatures.empty()) {
             report_heat(heat_report_of(ledger.reported("temperatures.nc")), report_);
         }
@@ -315,10 +255,12 @@ class Job {
         write_manifest(out_, shown.scene, manifest_);
     }
 
-    const JobOptions& options_;
+    const JobOptions options_;
     const fs::path& out_;
     Progress& progress_;
     const Prepared prepared_;
+    std::vector<Round> rounds_;        // before this one; when it is over, with the next
+    std::optional<Prepared> finer_{};  // the next
     const std::vector<ObserverInput> chosen_;
     const Stages stages_;
     Manifest manifest_{};
@@ -328,14 +270,42 @@ class Job {
     std::string earlier_key_{};  // of the run that the folder held; "": none
 };
 
+/// Folders of runs that this one continues.
+std::vector<fs::path> earlier_folders(const JobOptions& options) {
+    std::vector<fs::path> folders = options.parts;
+    if (!options.from.empty()) folders.push_back(options.from);
+    if (!options.temperatures.empty()) folders.push_back(options.temperatures.parent_path());
+    if (options.resume) folders.push_back(options.out);
+    return folders;
+}
+
 }  // namespace
 
 JobReport run_job(Scene scene, const JobOptions& options) {
     check_run_folder(options.out, FolderKind::run);
     Progress progress(options.progress);
     progress.stage(StageId::terrain);
-    if (!options.temperatures.empty()) scene.output.fluxes = scene.output.state = false;
-    return Job(std::move(scene), options, progress).run();
+    const auto prepare_it = [&](Scene of) {
+        if (!options.temperatures.empty()) of.output.fluxes = of.output.state = false;
+        return prepare(std::move(of));
+    };
+    JobOptions now = options;
+    now.stages = shared_stages(scene, options);
+    std::optional<Prepared> prepared(prepare_it(std::move(scene)));
+    std::vector<Round> rounds;
+    if (options.scene_with) {
+        rounds = earlier_rounds(earlier_folders(options), options.settings, prepared->scene);
+    }
+    if (!rounds.empty()) {
+        now = with_finer(std::move(now), after_rounds({}, rounds));
+        prepared.emplace(prepare_it(now.scene_with({})));
+    }
+    auto job =
+        std::make_unique<Job>(std::move(*prepared), std::move(now), std::move(rounds), progress);
+    for (;;) {
+        if (auto report = job->run()) return std::move(*report);
+        job = job->another_round();
+    }
 }
 
 }  // namespace diurna

@@ -37,6 +37,14 @@ std::string listed_text(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
 }
 
+std::vector<std::string> listed_texts(const Json& json, const char* key) {
+    std::vector<std::string> texts;
+    for (const Json& text : json.value(key, Json::array())) {
+        if (text.is_string()) texts.push_back(text.get<std::string>());
+    }
+    return texts;
+}
+
 /// One line of what is changed with a file; "" where it is what it was.
 std::string changed(const fs::path& folder, const std::string& name, const std::string& digest) {
     std::error_code ignored;
@@ -59,8 +67,10 @@ ListedOutputs listed_outputs(const fs::path& folder) {
         listed.done = listed_text(json, "state") == "done";
         listed.scene = listed_text(json, "scene_file");
         listed.key = listed_text(json, "key");
-        for (const Json& setting : json.value("settings", Json::array())) {
-            if (setting.is_string()) listed.settings.push_back(setting.get<std::string>());
+        listed.settings = listed_texts(json, "settings");
+        for (const Json& round : json.value("rounds", Json::array())) {
+            listed.rounds.emplace_back(listed_text(round, "missed"),
+                                       listed_texts(round, "settings"));
         }
         return listed;
     }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Checks of a folder's files against its lists.
@@ -10,10 +11,12 @@ namespace diurna {
 
 /// The files of a run or a sweep by its manifest.json.
 struct ListedOutputs {
-    bool found = false;                           // a manifest.json written by diurna
-    bool done = false;                            // the run is complete
-    std::filesystem::path scene{};                // of a run: its scene file
-    std::vector<std::string> settings{};          // of its command line
+    bool found = false;                   // a manifest.json written by diurna
+    bool done = false;                    // the run is complete
+    std::filesystem::path scene{};        // of a run: its scene file
+    std::vector<std::string> settings{};  // of its command line, and of its rounds
+    /// Rounds (scenes/job/run/rounds.hpp): text and settings of each.
+    std::vector<std::pair<std::string, std::vector<std::string>>> rounds{};
     std::string key{};                            // of a run: job_key()
     std::map<std::string, std::string> digest{};  // SHA-256 by name, relative to the folder
 };

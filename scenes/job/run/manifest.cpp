@@ -94,6 +94,9 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     json["scene_file"] = fs::absolute(scene.file).lexically_normal().string();
     json["seed"] = scene.seed;
     json["settings"] = manifest.settings;
+    for (const auto& [missed, settings] : manifest.rounds) {
+        json["rounds"].push_back({{"missed", missed}, {"settings", settings}});
+    }
     if (!manifest.only.empty()) json["only"] = manifest.only;
     if (!manifest.weather.empty()) json["weather"] = manifest.weather;
     const double offset = scene.time.utc_offset;

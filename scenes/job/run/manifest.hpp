@@ -10,6 +10,7 @@
 #include "scenes/job/plan/progress.hpp"
 #include "scenes/job/run/camera_truth.hpp"
 #include "scenes/job/run/legend.hpp"
+#include "scenes/job/run/rounds.hpp"
 #include "scenes/job/store/inputs.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
@@ -26,7 +27,8 @@ struct CameraCourse {
 struct Manifest {
     std::string key{};  // job_key()
     std::vector<RunInput> inputs{};
-    std::vector<std::string> settings{};            // of the command line
+    std::vector<std::string> settings{};            // of the command line, and of rounds
+    std::vector<Round> rounds{};                    // before the heat that is in the folder
     std::vector<std::string> only{};                // selection of the pictures; empty: all
     std::vector<Instant> frames{};                  // instants of pictures
     Site site{};                                    // for their solar time

@@ -16,16 +16,14 @@ struct ErrorParts {
     double object_rays = 0.0;  // the same of buildings and objects
     double sun_rays = 0.0;     // rays to the sun's disc
     double size = 0.0;         // facets are larger than places
-    double edge = 0.0;         // [m] median edge of the facets of `material` at check points
-    std::string material{};    // with the largest share of the error
 
     double all() const { return ground_rays + object_rays + sun_rays + size; }
 };
 
 /// One setting, and the part that it reduces.
 struct Recommended {
-    std::string key;     // "scene.sky_rays", "largest_edge_m"
-    double value = 0.0;  // in the key's unit
+    std::string key;  // "scene.sky_rays", "scene.finer_edges"
+    double value = 0.0;
     std::string part;    // description
     double share = 0.0;  // of the mean square that it reduces, 0 to 1
 };
@@ -40,6 +38,6 @@ std::vector<Recommended> recommended_settings(const ErrorParts& parts, const Sce
                                               double tolerance);
 
 /// "scene.sky_rays = 256 (rays of the ground, 80 % of the mean square), ..."
-std::string in_words(const std::vector<Recommended>& settings, const std::string& material);
+std::string in_words(const std::vector<Recommended>& settings);
 
 }  // namespace diurna

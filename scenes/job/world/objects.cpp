@@ -86,7 +86,7 @@ GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place
     constexpr double least_edge = 0.15;  // [m] of small objects
     const double edge =
         object.ground_edge > 0.0 ? object.ground_edge : std::max(least_edge, reach / 12.0);
-    GroundPatch patch{.ring = {}, .largest_edge = edge};
+    GroundPatch patch{.ring = {}, .largest_edge = edge / object.finer_edges};
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
         patch.ring.push_back(place + reach * Eigen::Vector2d(x, y));
     }

@@ -27,8 +27,10 @@ bool lies_in_the_ground(const ObjectInput& object) {
            object_height(object) < apart;
 }
 
-/// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
-double foot_edge(const BoxSpec& spec) { return std::max(0.5, 2e-3 * (spec.width + spec.depth)); }
+/// Triangles at the foot of a box's walls: at least a thousandth of the way round it.
+double foot_edge(const BoxSpec& spec, double least) {
+    return std::max(least, 2e-3 * (spec.width + spec.depth));
+}
 
 }  // namespace
 
@@ -42,6 +44,7 @@ std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& s
                      .depth = building.depth,
                      .height = building.height,
                      .heading_deg = building.heading_deg,
+                     .largest_edge = building.largest_edge,
                      .wall = scene.materials.find(building.wall),
                      .front = scene.materials.find(building.front),
                      .roof = scene.materials.find(building.roof)};
@@ -52,7 +55,7 @@ std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& s
             lowest = std::min(lowest, ground_point(dem, site, corner, where).z());
         }
         spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.elevation.tolerance;
-        spec.lowest_row = foot_edge(spec);
+        spec.lowest_row = foot_edge(spec, building.foot_edge);
         boxes.push_back(spec);
     }
     return boxes;
@@ -62,7 +65,7 @@ std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
                                      const std::vector<ShapeBuilding>& shapes) {
     std::vector<WalledPlan> plans;
     for (const BoxSpec& spec : boxes) {
-        plans.push_back({plan_of(spec), spec.height, foot_edge(spec)});
+        plans.push_back({plan_of(spec), spec.height, spec.lowest_row});
     }
     for (const auto& [prism, input] : shapes) {
         plans.push_back({counterclockwise(prism.ring), prism.top - prism.bottom, prism.largest_edge,

@@ -91,6 +91,23 @@ double henyey_greenstein(double g, double cosine) {
     return (1.0 - g * g) / (d * std::sqrt(d));
 }
 
+namespace {
+
+/// (bin) Where its middle lies among the wavelengths of the phase functions.
+const std::vector<HermiteWeights>& phase_places() {
+    static const std::vector<HermiteWeights> places = [] {
+        const ScattererTables& tables = band_model_tables();
+        std::vector<HermiteWeights> found;
+        for (const double um : tables.middle_um) {
+            found.push_back(hermite_weights(tables.phase_um, um));
+        }
+        return found;
+    }();
+    return places;
+}
+
+}  // namespace
+
 std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double cosine) {
     const ScattererTables& tables = band_model_tables();
     const BinRange bins = medium.bins();
@@ -100,6 +117,7 @@ std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double 
     const std::array<const ScattererTables::Aerosol*, 2> aerosols = {medium.haze().boundary(),
                                                                      medium.haze().tropospheric()};
     const std::size_t angles = tables.phase_deg.size();
+    const std::vector<HermiteWeights>& places = phase_places();
     for (std::size_t k = 0; k < aerosols.size(); ++k) {
         if (aerosols[k] == nullptr) continue;
         std::vector<double> ln;  // (phase wavelength) at the angle
@@ -109,10 +127,12 @@ std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double 
             ln.push_back(angle.value_low * value[0] + angle.slope_low * slope[0] +
                          angle.value_high * value[1] + angle.slope_high * slope[1]);
         }
-        for (std::size_t bin = bins.first; bin < bins.last; ++bin) {
-            const HermiteWeights um = hermite_weights(tables.phase_um, tables.middle_um[bin]);
-            phase[k].push_back(fast_exp(ln[um.low] + um.t * (ln[um.low + 1] - ln[um.low])));
+        phase[k].resize(bins.size());
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            const HermiteWeights& um = places[bins.first + i];
+            phase[k][i] = ln[um.low] + um.t * (ln[um.low + 1] - ln[um.low]);
         }
+        for (double& value : phase[k]) value = fast_exp(value);
     }
     phase[2].assign(bins.size(), henyey_greenstein(0.9, cosine));  // drops
     return phase;

@@ -15,12 +15,15 @@ constexpr auto whole = Eigen::Index(2 * sky_directions), functions = Eigen::Inde
 using Columns = Eigen::Matrix<float, whole, functions>;
 using Weights = Eigen::Matrix<float, whole, 1>;
 using Numbers = Eigen::Matrix<float, functions, 1>;
+constexpr Eigen::Index pairs = functions * (functions + 1) / 2;
+using Products = Eigen::Matrix<float, pairs, whole>;  // rows of a lower triangle
 
 /// Directions of both halves, and the functions there.
 struct WholeSky {
     Eigen::Matrix<float, whole, 3> direction;
     Weights size;  // dω / π
     Columns at;
+    Products products;  // of two functions each
 
     WholeSky() {
         const HalfSky& half = half_sky();
@@ -34,6 +37,11 @@ struct WholeSky {
             size[i] = static_cast<float>(half.ring_weight[k] / sky_sectors);
             const SkyVector values = sky_functions_at(way.cast<float>());
             at.row(i) = Eigen::Map<const Numbers>(values.data()).transpose();
+        }
+        for (Eigen::Index k = 0, p = 0; k < functions; ++k) {
+            for (Eigen::Index j = 0; j <= k; ++j) {
+                products.row(p++) = at.col(k).cwiseProduct(at.col(j)).transpose();
+            }
         }
     }
 };
@@ -67,19 +75,22 @@ float narrowness(float sky_view) {
 NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
     static const WholeSky directions;
     // Shares come of rays and are not exact; and nowhere is it sure that nothing is seen.
-    constexpr float slack = 1e-4f, least = 0.01f;
+    constexpr double slack = 1e-4;
+    constexpr float least = 0.01f;
     const Weights cosine =
         (directions.direction * normal).cwiseMax(0.0f).cwiseProduct(directions.size);
     const Numbers shares = Eigen::Map<const Numbers>(sky.data());
     Weights before = cosine, found = Weights::Zero();
     for (int step = 0; step < 2; ++step) {
         if (step > 0) before = found.cwiseMin(cosine).cwiseMax(least * cosine);
-        const Columns weighted = before.asDiagonal() * directions.at;
-        Eigen::Matrix<float, functions, functions> gram = directions.at.transpose() * weighted;
-        gram.diagonal() *= 1.0f + slack;
-        const Numbers factors =
-            gram.cast<double>().ldlt().solve(shares.cast<double>()).cast<float>();
-        found = weighted * factors;
+        const Eigen::Matrix<float, pairs, 1> sums = directions.products * before;
+        Eigen::Matrix<double, functions, functions> gram;
+        for (Eigen::Index k = 0, p = 0; k < functions; ++k) {
+            for (Eigen::Index j = 0; j <= k; ++j) gram(k, j) = double{sums[p++]};
+        }
+        gram.diagonal() *= 1.0 + slack;
+        const Numbers factors = gram.llt().solve(shares.cast<double>()).cast<float>();
+        found = before.cwiseProduct(directions.at * factors);
     }
     const float counts = narrowness(sky[0]);
     NarrowView view;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "materials/base/quadrature.hpp"
 
@@ -11,36 +12,56 @@ namespace diurna {
 
 namespace {
 
-constexpr auto whole = Eigen::Index(2 * sky_directions), functions = Eigen::Index(sky_functions);
+constexpr auto half = Eigen::Index(sky_directions), whole = 2 * half,
+               functions = Eigen::Index(sky_functions);
 using Columns = Eigen::Matrix<float, whole, functions>;
 using Weights = Eigen::Matrix<float, whole, 1>;
 using Numbers = Eigen::Matrix<float, functions, 1>;
-constexpr Eigen::Index pairs = functions * (functions + 1) / 2;
-using Products = Eigen::Matrix<float, pairs, whole>;  // rows of a lower triangle
+
+/// Whether a function changes its sign on the other side of the plane of the sun.
+bool is_odd(Eigen::Index function) {
+    return std::find(even_sky_function.begin(), even_sky_function.end(), std::size_t(function)) ==
+           even_sky_function.end();
+}
+
+/// Products of two functions each at the directions of one half: of their sums, or differences,
+/// over both halves.
+struct Products {
+    Eigen::Matrix<float, Eigen::Dynamic, half> at;
+    std::vector<std::array<Eigen::Index, 2>> of;  // (row) lower triangle
+};
 
 /// Directions of both halves, and the functions there.
 struct WholeSky {
     Eigen::Matrix<float, whole, 3> direction;
     Weights size;  // dω / π
     Columns at;
-    Products products;  // of two functions each
+    std::array<Products, 2> products;  // even, odd
 
     WholeSky() {
-        const HalfSky& half = half_sky();
+        const HalfSky& sky = half_sky();
         for (Eigen::Index i = 0; i < whole; ++i) {
             const std::size_t k = std::size_t(i) % sky_directions;
             const double side = std::size_t(i) < sky_directions ? 1.0 : -1.0;
-            const double across = std::sqrt(1.0 - half.up[k] * half.up[k]);
-            const Eigen::Vector3d way(across * std::cos(half.azimuth[k]),
-                                      side * across * std::sin(half.azimuth[k]), half.up[k]);
+            const double across = std::sqrt(1.0 - sky.up[k] * sky.up[k]);
+            const Eigen::Vector3d way(across * std::cos(sky.azimuth[k]),
+                                      side * across * std::sin(sky.azimuth[k]), sky.up[k]);
             direction.row(i) = way.cast<float>().transpose();
-            size[i] = static_cast<float>(half.ring_weight[k] / sky_sectors);
+            size[i] = static_cast<float>(sky.ring_weight[k] / sky_sectors);
             const SkyVector values = sky_functions_at(way.cast<float>());
             at.row(i) = Eigen::Map<const Numbers>(values.data()).transpose();
         }
-        for (Eigen::Index k = 0, p = 0; k < functions; ++k) {
+        for (Eigen::Index k = 0; k < functions; ++k) {
             for (Eigen::Index j = 0; j <= k; ++j) {
-                products.row(p++) = at.col(k).cwiseProduct(at.col(j)).transpose();
+                products[is_odd(k) != is_odd(j)].of.push_back({k, j});
+            }
+        }
+        for (Products& some : products) {
+            some.at.resize(Eigen::Index(some.of.size()), half);
+            for (std::size_t p = 0; p < some.of.size(); ++p) {
+                const auto [k, j] = some.of[p];
+                some.at.row(Eigen::Index(p)) =
+                    at.col(k).head<half>().cwiseProduct(at.col(j).head<half>()).transpose();
             }
         }
     }
@@ -83,10 +104,15 @@ NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
     Weights before = cosine, found = Weights::Zero();
     for (int step = 0; step < 2; ++step) {
         if (step > 0) before = found.cwiseMin(cosine).cwiseMax(least * cosine);
-        const Eigen::Matrix<float, pairs, 1> sums = directions.products * before;
         Eigen::Matrix<double, functions, functions> gram;
-        for (Eigen::Index k = 0, p = 0; k < functions; ++k) {
-            for (Eigen::Index j = 0; j <= k; ++j) gram(k, j) = double{sums[p++]};
+        for (const bool odd : {false, true}) {
+            const Products& some = directions.products[odd];
+            const Eigen::Matrix<float, half, 1> both =
+                before.head<half>() + (odd ? -1.0f : 1.0f) * before.tail<half>();
+            const Eigen::VectorXf sums = some.at * both;
+            for (std::size_t p = 0; p < some.of.size(); ++p) {
+                gram(some.of[p][0], some.of[p][1]) = double{sums[Eigen::Index(p)]};
+            }
         }
         gram.diagonal() *= 1.0 + slack;
         const Numbers factors = gram.llt().solve(shares.cast<double>()).cast<float>();

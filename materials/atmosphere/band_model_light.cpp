@@ -44,29 +44,25 @@ void black_bodies(const Nodes& nodes, double temperature, std::span<double> blac
     }
 }
 
-/// At the nodes, where a segment begins or ends.
-struct SegmentEnd {
-    std::vector<double> black, depth, transmittance;
-
-    explicit SegmentEnd(std::size_t nodes)
-        : black(nodes), depth(nodes, 0.0), transmittance(nodes, 1.0) {}
-};
-
 /// (T39) of docs/theory.md
 /// radiance += emission of one segment, Planck's law linear in optical depth x between its ends:
 /// (near + (far − near) f) (τ_near − τ_far), f = 1/x − 1/(eˣ − 1) to 1 % of far − near.
-void add_emission(const SegmentEnd& near, const SegmentEnd& far, std::span<double> radiance) {
+///
+/// - fraction, lost: (bin) f, and τ_near − τ_far
+/// - gap: (node) what clouds before the segment let through
+void add_emission(const Nodes& nodes, std::span<const double> near_black,
+                  std::span<const double> far_black, std::span<const double> fraction,
+                  std::span<const double> lost, std::span<const double> gap,
+                  std::span<double> radiance) {
     const std::size_t count = radiance.size();
-    const double *const near_black = near.black.data(), *const far_black = far.black.data(),
-                        *const near_depth = near.depth.data(), *const far_depth = far.depth.data(),
-                        *const before = near.transmittance.data(),
-                        *const after = far.transmittance.data();
+    const double *const near = near_black.data(), *const far = far_black.data(),
+                        *const f = fraction.data(), *const drop = lost.data(),
+                        *const open = gap.data();
+    const std::size_t* const bin = nodes.bin.data();
+    double* const sum = radiance.data();
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
-        const double x = far_depth[i] - near_depth[i];
-        const double f = (0.5 + 0.06 * x) / (1.0 + x * ((1.0 / 6.0 + 0.12) + 0.06 * x));
-        radiance[i] +=
-            (near_black[i] + (far_black[i] - near_black[i]) * f) * (before[i] - after[i]);
+        sum[i] += open[i] * ((near[i] + (far[i] - near[i]) * f[bin[i]]) * drop[bin[i]]);
     }
 }
 
@@ -118,17 +114,19 @@ CutLine cut_at_clouds(const BandModel& model, const SightLine& line) {
 }
 
 /// Puts a cloud between what is before an edge and all that comes after it.
+///
+/// - transmittance: (bin) of the air before the edge
 void meet_cloud(const BandModel& model, const CloudCrossing& crossing,
-                std::span<const double> node_um, SegmentEnd& edge, std::vector<double>& gap,
+                std::span<const double> node_um, const Nodes& nodes,
+                std::span<const double> transmittance, std::vector<double>& gap,
                 std::span<double> radiance) {
     for (std::size_t i = 0; i < node_um.size(); ++i) {
         const double hidden = hidden_share(model.cloud, crossing, node_um[i]);
         if (node_um[i] >= drops_scatter_um) {
-            radiance[i] +=
-                hidden * edge.transmittance[i] * planck(node_um[i], crossing.temperature);
+            radiance[i] += hidden * gap[i] * transmittance[nodes.bin[i]] *
+                           planck(node_um[i], crossing.temperature);
         }
         gap[i] *= 1.0 - hidden;
-        edge.transmittance[i] *= 1.0 - hidden;
     }
 }
 
@@ -154,39 +152,48 @@ PathSpectrum band_model_path(const BandModel& model, const SightLine& whole,
     const auto black_at = [&](double height_km, std::span<double> black) {
         black_bodies(nodes, pressure_and_temperature_at(model.profile, height_km).second, black);
     };
-    std::vector<double> radiance(count, 0.0), gap(count, 1.0), bin_depth(nodes.bins.size()),
-        bin_after(nodes.bins.size());
-    SegmentEnd near(count), far(count);
-    if (ends_known) black_at(line.edge_km[0], near.black);
+    const std::size_t bins = nodes.bins.size();
+    std::vector<double> radiance(count, 0.0), gap(count, 1.0), near_black(count), far_black(count);
+    std::vector<double> depth(bins, 0.0), tau(bins, 1.0), next_depth(bins), next_tau(bins),
+        fraction(bins), lost(bins);
+    if (ends_known) black_at(line.edge_km[0], near_black);
     Amounts amounts = medium.none();
     const auto meet_clouds = [&](std::size_t edge) {
         for (; cloud != parts.cut.end() && cloud->first == edge; ++cloud) {
-            meet_cloud(model, cloud->second, node_um, near, gap, radiance);
+            meet_cloud(model, cloud->second, node_um, nodes, tau, gap, radiance);
         }
+    };
+    const auto found = [&] {
+        std::vector<double> transmittance(count);
+        for (std::size_t i = 0; i < count; ++i) transmittance[i] = gap[i] * tau[nodes.bin[i]];
+        return PathSpectrum{std::move(transmittance), std::move(radiance)};
     };
     for (std::size_t segment = 0; segment < line.size(); ++segment) {
         meet_clouds(segment);
         // Nothing beyond a full cloud cover is visible: it is not computed.
         if (met == nullptr &&
             std::all_of(gap.begin(), gap.end(), [](double g) { return g == 0.0; }))
-            return {std::move(near.transmittance), std::move(radiance)};
+            return found();
         medium.add(line, segment, amounts);
         medium.spread(amounts);
-        medium.depths(amounts, bin_depth);
-        bin_after = bin_depth;
-        negative_exponentials(bin_after);
-        for (std::size_t i = 0; i < count; ++i) {
-            far.depth[i] = bin_depth[nodes.bin[i]];
-            far.transmittance[i] = gap[i] * bin_after[nodes.bin[i]];
+        medium.depths(amounts, next_depth);
+        next_tau = next_depth;
+        negative_exponentials(next_tau);
+        for (std::size_t b = 0; b < bins; ++b) {
+            const double x = next_depth[b] - depth[b];
+            fraction[b] = (0.5 + 0.06 * x) / (1.0 + x * ((1.0 / 6.0 + 0.12) + 0.06 * x));
+            lost[b] = tau[b] - next_tau[b];
         }
-        black_at(ends_known ? line.edge_km[segment + 1] : line.height_km[segment], far.black);
-        if (!ends_known) near.black = far.black;
-        add_emission(near, far, radiance);
-        std::swap(near, far);
+        black_at(ends_known ? line.edge_km[segment + 1] : line.height_km[segment], far_black);
+        add_emission(nodes, ends_known ? near_black : far_black, far_black, fraction, lost, gap,
+                     radiance);
+        std::swap(near_black, far_black);
+        std::swap(depth, next_depth);
+        std::swap(tau, next_tau);
     }
     meet_clouds(line.size());
     if (met != nullptr) *met = std::move(amounts);
-    return {std::move(near.transmittance), std::move(radiance)};
+    return found();
 }
 
 std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,

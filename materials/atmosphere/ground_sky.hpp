@@ -18,12 +18,17 @@ class GroundSky {
 
     /// ground_longwave() of that model with this share of black cloud (fraction × emissivity) and
     /// this scale, to rounding [W m⁻²].
-    double longwave(double black_share, const LightScale& scale) const;
+    double longwave(double black_share, const LightScale& scale);
 
  private:
     static constexpr std::size_t angles = 4;
-    std::array<std::vector<double>, angles> clear_, covered_;  // (angle)(node)
-    std::array<double, angles> weight_;
+    std::array<std::vector<double>, angles> clear_,
+        covered_;  // (angle)(node); followed when needed
+    void follow_covered();
+
+    BandModel overcast_;
+    double height_km_;
+    std::array<double, angles> zenith_deg_, weight_;
     std::array<bool, angles> ends_on_ground_;
     std::vector<double> black_here_;  // (node) of the air at the ground
 };

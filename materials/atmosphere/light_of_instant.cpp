@@ -31,9 +31,13 @@ BandModel with_longwave(const BandModel& model, double height_km, double wanted,
                         double& got) {
     const LightScale as_is{};
     std::optional<GroundSky> sky(std::in_place, model, height_km);
-    const double clear = sky->longwave(0.0, as_is), full = sky->longwave(1.0, as_is);
-    const double share =
-        full > clear + 1.0 ? std::clamp((wanted - clear) / (full - clear), 0.0, most_cloud) : 0.0;
+    const double clear = sky->longwave(0.0, as_is);
+    double share = 0.0;
+    if (wanted > clear && most_cloud > 0.0) {
+        const double full = sky->longwave(1.0, as_is);
+        if (full > clear + 1.0)
+            share = std::clamp((wanted - clear) / (full - clear), 0.0, most_cloud);
+    }
     BandModel fitted = with_black_share(model, share);
     if (share > 0.0 && model.cloud.fraction <= 0.0) sky.emplace(fitted, height_km);
     const auto longwave = [&] { return sky->longwave(share, fitted.scale); };

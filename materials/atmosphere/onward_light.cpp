@@ -21,10 +21,15 @@ namespace {
 constexpr double no_heat_um = 2.5;
 constexpr int zenith_angles = 4;
 
+/// Planck's law, of air no hotter than 1500 K.
 std::vector<double> black_body(BinRange bins, double temperature) {
     std::vector<double> black(bins.size());
+    const double* const um = bin_middles_um().data() + bins.first;
     for (std::size_t b = 0; b < black.size(); ++b) {
-        black[b] = planck(bin_middles_um()[bins.first + b], temperature);
+        const double square = um[b] * um[b];
+        black[b] =
+            first_radiation_um / (square * square * um[b] *
+                                  (fast_exp(second_radiation_um / (um[b] * temperature)) - 1.0));
     }
     return black;
 }
@@ -47,10 +52,14 @@ OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double 
         sun_depth_.resize(bins.size());
         medium_->depths(to_sun_, sun_depth_);
     }
-    if (!sky || node_um.back() < no_heat_um) return;
+    if (sky) add_sky(height_km);
+}
+
+void OnwardLight::add_sky(double height_km) {
+    if (!medium_ || !sky_.empty() || node_um_.back() < no_heat_um) return;
     // ∫ L cosθ dΩ / π = ∫₀¹ 2 L cosθ d(cosθ): closer to the horizon than by the cosine's square.
     const Quadrature cosine = gauss_legendre(zenith_angles, 0.0, 1.0);
-    heat_.assign(bins.size(), 0.0);
+    heat_.assign(medium_->bins().size(), 0.0);
     for (std::size_t k = 0; k < cosine.size(); ++k) {
         const double zenith_deg = degrees(std::acos(cosine.node[k]));
         const double weight = 2.0 * cosine.node[k] * cosine.weight[k];
@@ -139,37 +148,46 @@ std::vector<double> OnwardLight::per_node(const std::vector<double>& per_bin) co
     return values;
 }
 
-OnwardLight::Way OnwardLight::way(const SightLine& from_eye) const {
-    if (!medium_) {
-        Way way{path_at_nodes(atmosphere_, from_eye, node_um_), {}, {}};
-        way.sunlight = way.sky_heat = way.path.transmittance;
-        return way;
-    }
-    const std::size_t count = medium_->bins().size();
-    Amounts met;
-    Way way{band_model_path(medium_->model(), from_eye, node_um_, &met), {}, {}};
-    std::vector<double> sun(count), heat(count, 0.0);
-    if (sun_depth_.empty()) {
-        medium_->transmittances(met, sun);
-    } else {
-        medium_->depths(to_sun_, met, sun);
-        for (std::size_t b = 0; b < count; ++b) sun[b] = fast_exp(sun_depth_[b] - sun[b]);
-    }
+std::vector<double> OnwardLight::behind_cloud(const SightLine& from_eye,
+                                              const std::vector<double>& per_bin) const {
     const std::vector<double> gap = through_clouds(medium_->model(), from_eye, node_um_);
-    const auto behind_cloud = [&](const std::vector<double>& per_bin) {
-        std::vector<double> values = per_node(per_bin);
-        for (std::size_t n = 0; n < values.size(); ++n) values[n] *= gap[n];
-        return values;
-    };
-    way.sunlight = behind_cloud(sun);
-    if (sky_.empty()) {
-        way.sky_heat = way.path.transmittance;
-        return way;
+    std::vector<double> values = per_node(per_bin);
+    for (std::size_t n = 0; n < values.size(); ++n) values[n] *= gap[n];
+    return values;
+}
+
+OnwardLight::Direct OnwardLight::direct(const SightLine& from_eye) const {
+    if (!medium_) {
+        Direct direct{path_at_nodes(atmosphere_, from_eye, node_um_), {}, {}};
+        direct.sunlight = direct.path.transmittance;
+        return direct;
     }
+    Direct direct{{}, {}, {}};
+    direct.path = band_model_path(medium_->model(), from_eye, node_um_, &direct.met);
+    std::vector<double> sun(medium_->bins().size());
+    if (sun_depth_.empty()) {
+        medium_->transmittances(direct.met, sun);
+    } else {
+        medium_->depths(to_sun_, direct.met, sun);
+        for (std::size_t b = 0; b < sun.size(); ++b) sun[b] = fast_exp(sun_depth_[b] - sun[b]);
+    }
+    direct.sunlight = behind_cloud(from_eye, sun);
+    return direct;
+}
+
+std::vector<double> OnwardLight::sky_heat(const SightLine& from_eye, const Amounts& met,
+                                          const std::vector<double>& transmittance) const {
+    if (sky_.empty()) return transmittance;
+    std::vector<double> heat(medium_->bins().size(), 0.0);
     for (const SkyLine& line : sky_) add_heat(line, &met, heat);
-    for (std::size_t b = 0; b < count; ++b) heat[b] /= std::max(heat_[b], 1e-300);
-    way.sky_heat = behind_cloud(heat);
-    return way;
+    for (std::size_t b = 0; b < heat.size(); ++b) heat[b] /= std::max(heat_[b], 1e-300);
+    return behind_cloud(from_eye, heat);
+}
+
+OnwardLight::Way OnwardLight::way(const SightLine& from_eye) const {
+    Direct found = direct(from_eye);
+    std::vector<double> heat = sky_heat(from_eye, found.met, found.path.transmittance);
+    return {std::move(found.path), std::move(found.sunlight), std::move(heat)};
 }
 
 }  // namespace diurna

@@ -41,6 +41,21 @@ class OnwardLight {
     /// - from_eye: from an observer to the place
     Way way(const SightLine& from_eye) const;
 
+    /// The same in two parts: without the sky's heat, which is most of the work and changes less
+    /// from path to path, and that.
+    struct Direct {
+        PathSpectrum path;
+        std::vector<double> sunlight;
+        Amounts met;  // on the path; nothing without the band model
+    };
+    Direct direct(const SightLine& from_eye) const;
+    /// - met: of direct() of that path
+    /// - transmittance: of the path, which the share is for a place without a sky
+    std::vector<double> sky_heat(const SightLine& from_eye, const Amounts& met,
+                                 const std::vector<double>& transmittance) const;
+    /// Gives a place that was made without it its sky.
+    void add_sky(double height_km);
+
  private:
     /// A line to the sky, with the amounts and black-body radiance at the end of each
     /// segment.
@@ -55,6 +70,9 @@ class OnwardLight {
     /// Adds what arrives of a line's light behind the amounts `more`; null: no further path.
     void add_heat(const SkyLine& line, const Amounts* more, std::vector<double>& sum) const;
     std::vector<double> per_node(const std::vector<double>& per_bin) const;
+    /// Of what starts at a path's end and meets clouds on it, (node).
+    std::vector<double> behind_cloud(const SightLine& from_eye,
+                                     const std::vector<double>& per_bin) const;
 
     const Atmosphere& atmosphere_;
     std::vector<double> node_um_;

@@ -103,6 +103,7 @@ class Gathering {
     Passage both_before_, both_after_, tau_before_, tau_after_;
     // Of a stretch: mean transmittance of both ways, times length; and that of the peak's light.
     std::vector<double> single_, thinned_;
+    std::vector<double> lobes_;  // of the aerosol in a direction
 };
 
 Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn,
@@ -122,7 +123,8 @@ Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const dou
       tau_before_(count_),
       tau_after_(count_),
       single_(count_),
-      thinned_(count_) {
+      thinned_(count_),
+      lobes_(count_) {
     for (const double cosine : turn) {
         directions_.push_back(direction_of(medium_, cosine));
         any_peaked_ = any_peaked_ || directions_.back().peaked > 0.0;
@@ -216,16 +218,18 @@ void Gathering::thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch) 
     }
     for (Direction& d : directions_) {
         if (d.peaked <= 0.0) continue;
-        for (std::size_t b = 0; b < count_; ++b) {
-            double lobes = 0.0;
-            for (std::size_t k = 0; k < d.phase.size(); ++k) {
-                if (aerosol.whole.part[k].empty()) continue;
-                lobes += aerosol.whole.part[k][b] * d.phase[k][b];
+        std::fill(lobes_.begin(), lobes_.end(), 0.0);
+        for (std::size_t k = 0; k < d.phase.size(); ++k) {
+            if (aerosol.whole.part[k].empty()) continue;
+            for (std::size_t b = 0; b < count_; ++b) {
+                lobes_[b] += aerosol.whole.part[k][b] * d.phase[k][b];
             }
-            if (lobes <= 0.0) continue;
+        }
+        const double turn = d.turn;
+        for (std::size_t b = 0; b < count_; ++b) {
             const double smooth =
-                aerosol.scattering[b] * henyey_greenstein(aerosol.asymmetry[b], d.turn);
-            d.excess[b] += std::max(0.0, lobes - smooth) * (thinned_[b] - single_[b]);
+                aerosol.scattering[b] * henyey_greenstein(aerosol.asymmetry[b], turn);
+            d.excess[b] += std::max(0.0, lobes_[b] - smooth) * (thinned_[b] - single_[b]);
         }
     }
 }

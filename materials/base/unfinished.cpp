@@ -19,6 +19,8 @@
 #include <string>
 #include <utility>
 
+#include "materials/base/unsynced_files.hpp"
+
 namespace diurna {
 
 namespace fs = std::filesystem;
@@ -33,6 +35,7 @@ struct Slot {
 };
 std::array<Slot, 64> slots;
 std::array<std::atomic<pid_t>, 64> child_groups{};
+std::atomic<int> unsynced{0};  // UnsyncedFiles there are
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 /// −1 where all are taken, or the name is too long: then it only is not removed at a signal.
@@ -122,6 +125,10 @@ void UnfinishedFile::rename() {
 }
 
 void UnfinishedFile::finish() {
+    if (unsynced > 0) {
+        rename();
+        return;
+    }
     if (::fsync(file_) != 0) fail("cannot flush");
     rename();
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
@@ -129,6 +136,22 @@ void UnfinishedFile::finish() {
     if (entry < 0) return;  // a folder that may be written into but not read
     ::fsync(entry);         // not every file system has it; the file itself is there and whole
     ::close(entry);
+}
+
+UnsyncedFiles::UnsyncedFiles(fs::path folder) : folder_(std::move(folder)) { ++unsynced; }
+
+UnsyncedFiles::~UnsyncedFiles() {
+    if (open_) --unsynced;
+}
+
+void UnsyncedFiles::sync() {
+    if (!std::exchange(open_, false)) return;
+    --unsynced;
+    const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const bool flushed = folder >= 0 && ::syncfs(folder) == 0;
+    const std::string reason = std::strerror(errno);
+    if (folder >= 0) ::close(folder);
+    if (!flushed) throw std::runtime_error(folder_.string() + ": cannot flush: " + reason);
 }
 
 fs::path temporary_beside(const fs::path& path) {

@@ -12,6 +12,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t most_ranges = 129;
+constexpr auto sky_heat = static_cast<std::size_t>(Origin::sky_heat);
 
 }  // namespace
 
@@ -61,6 +62,65 @@ PathTable::PathTable(const RadianceInput& input, const PathExtent& extent,
             return worst;
         },
         some);
+    set_sky_heat();
+}
+
+/// The sky's heat at every other range. Between, its share less the transmittance is cubic: it
+/// changes less from place to place than the air's radiance does.
+void PathTable::set_sky_heat() {
+    const std::size_t heights = grid_.heights, coarse = (grid_.ranges + 1) / 2;
+    for_each_index(
+        bands_.size() * heights,
+        [&](std::size_t k) {
+            const double height_km = grid_.height_at(k % heights, heights);
+            onward_[place(k / heights, height_km)]->add_sky(height_km);
+        },
+        1);
+    for_each_index(
+        coarse * heights,
+        [&](std::size_t k) {
+            const std::size_t i = 2 * (k / heights), j = k % heights;
+            set_sky_heat(grid_.root_at(i, grid_.ranges), grid_.height_at(j, heights),
+                         node_[i * heights + j]);
+        },
+        1);
+    const Eigen::MatrixXd between = interpolation_matrix(coarse, grid_.ranges);
+    for (std::size_t i = 1; i < grid_.ranges; i += 2) {
+        for (std::size_t k = 0; k < heights * bands_.size(); ++k) {
+            const std::size_t j = k % heights, b = k / heights;
+            const auto at = [&](std::size_t range) -> auto& {
+                return node_[range * heights + j].transmittance[b];
+            };
+            for (std::size_t c = 0; c < bands_[b].channels.size(); ++c) {
+                double beyond = 0.0;
+                for (std::size_t e = 0; e < coarse; ++e) {
+                    const auto& there = at(2 * e);
+                    beyond += between(Eigen::Index(i), Eigen::Index(e)) *
+                              (double{there[sky_heat][c]} - double{there[0][c]});
+                }
+                at(i)[sky_heat][c] =
+                    static_cast<float>(std::max(0.0, double{at(i)[0][c]} + beyond));
+            }
+        }
+    }
+    for (Node& node : node_) node.met.clear();
+}
+
+void PathTable::set_sky_heat(double root, double height_km, Node& node) const {
+    const SightLine line = grid_.line(root, height_km);
+    for (std::size_t b = 0; b < bands_.size(); ++b) {
+        const Channels& channels = bands_[b].channels;
+        const std::vector<float>& whole = node.transmittance[b][0];
+        std::vector<double> transmittance(bands_[b].band.node_um.size(), 0.0);
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            transmittance[channels.first[c]] = double{whole[c]};
+        }
+        const std::vector<double> heat =
+            onward_[place(b, height_km)]->sky_heat(line, node.met[b], transmittance);
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            node.transmittance[b][sky_heat][c] = static_cast<float>(heat[channels.first[c]]);
+        }
+    }
 }
 
 void PathTable::prepare(std::initializer_list<std::size_t> heights) {
@@ -69,16 +129,16 @@ void PathTable::prepare(std::initializer_list<std::size_t> heights) {
         [&](std::size_t k) {
             const std::size_t b = k / heights.size(), j = heights.begin()[k % heights.size()];
             onward_[b * most_few + j].emplace(input_.atmosphere, grid_.height_at(j, most_few),
-                                              input_.sun_zenith_deg, bands_[b].band.node_um);
+                                              input_.sun_zenith_deg, bands_[b].band.node_um, false);
         },
         1);
 }
 
-/// The heights of nodes are always some of the five.
-const OnwardLight& PathTable::onward(std::size_t band, double height_km) const {
-    const double place = (height_km - grid_.height_at(0, most_few)) /
-                         (grid_.height_at(1, most_few) - grid_.height_at(0, most_few));
-    return *onward_[band * most_few + static_cast<std::size_t>(std::lround(place))];
+/// Of a band and a height among the five, in onward_: the heights of nodes are always some of them.
+std::size_t PathTable::place(std::size_t band, double height_km) const {
+    const double at = (height_km - grid_.height_at(0, most_few)) /
+                      (grid_.height_at(1, most_few) - grid_.height_at(0, most_few));
+    return band * most_few + static_cast<std::size_t>(std::lround(at));
 }
 
 PathTable::Node PathTable::make_node(double root, double height_km) const {
@@ -87,15 +147,15 @@ PathTable::Node PathTable::make_node(double root, double height_km) const {
     for (std::size_t b = 0; b < bands_.size(); ++b) {
         const BandLight& of = bands_[b];
         const std::size_t channels = of.channels.size();
-        const auto [path, sunlight, sky_heat] = onward(b, height_km).way(line);
+        auto [path, sunlight, met] = onward_[place(b, height_km)]->direct(line);
         auto& transmittance = node.transmittance.emplace_back();
         transmittance.fill(std::vector<float>(of.channels.padded(), 0.0f));
         for (std::size_t c = 0; c < channels; ++c) {
             const std::size_t n = of.channels.first[c];
             transmittance[0][c] = static_cast<float>(path.transmittance[n]);
             transmittance[1][c] = static_cast<float>(sunlight[n]);
-            transmittance[2][c] = static_cast<float>(sky_heat[n]);
         }
+        node.met.push_back(std::move(met));
         node.radiance.push_back(static_cast<float>(band_sum_nodes(of.band, path.radiance)));
         node.channel_radiance.push_back(channel_sums(of.band, of.channels, path.radiance));
     }

@@ -53,6 +53,7 @@ class PathTable {
         std::vector<std::array<std::vector<float>, origin_count>> transmittance;  // (band)
         std::vector<float> radiance;                                              // (band)
         std::vector<std::vector<float>> channel_radiance;                         // (band)(channel)
+        std::vector<Amounts> met;  // (band) on the path, until the sky's heat is known
     };
     Node make_node(double root, double height_km) const;
     double probe_value(std::size_t band, const Node& node, std::size_t probe) const;
@@ -64,7 +65,9 @@ class PathTable {
 
     /// Prepares these of the five heights.
     void prepare(std::initializer_list<std::size_t> heights);
-    const OnwardLight& onward(std::size_t band, double height_km) const;
+    std::size_t place(std::size_t band, double height_km) const;
+    void set_sky_heat();
+    void set_sky_heat(double root, double height_km, Node& node) const;
 
     const RadianceInput& input_;
     std::span<const BandLight> bands_;

@@ -12,52 +12,13 @@ namespace diurna {
 
 namespace {
 
-constexpr double steepest = 0.342;      // cosine of 70°
-constexpr float one_ground = 0.5f;      // cosine of 60°
-constexpr float one_face = 0.94f;       // cosine of 20°
 constexpr float shadow_step = 0.02f;    // of the irradiance on a facet across the sun
-constexpr float least_spread = 0.1f;    // of neighbours across their line: 1 all around
 constexpr float least_kelvins = 1e-4f;  // within a facet
 
-/// Facets at some vertices, in compressed rows.
-class FacetsAtVertex {
+/// Whether facets are on one side of the edge of a shadow.
+class SameLight {
  public:
-    FacetsAtVertex(const FacetSet& facets, std::span<const SurfaceId> chosen)
-        : place_(facets.vertex.size(), none) {
-        std::uint32_t count = 0;
-        for (const SurfaceId f : chosen) {
-            for (const std::uint32_t v : facets.corner[index(f)]) {
-                if (place_[v] == none) place_[v] = count++;
-            }
-        }
-        row_.assign(count + 1, 0);
-        const auto each = [&](const auto& body) {
-            for (std::size_t f = 0; f < facets.size(); ++f) {
-                for (const std::uint32_t v : facets.corner[f]) {
-                    if (place_[v] != none) body(place_[v], static_cast<std::uint32_t>(f));
-                }
-            }
-        };
-        each([&](std::uint32_t at, std::uint32_t) { ++row_[at + 1]; });
-        for (std::size_t k = 1; k < row_.size(); ++k) row_[k] += row_[k - 1];
-        facet_.resize(row_.back());
-        std::vector<std::uint32_t> next(row_.begin(), row_.end() - 1);
-        each([&](std::uint32_t at, std::uint32_t f) { facet_[next[at]++] = f; });
-    }
-    std::span<const std::uint32_t> operator[](std::uint32_t vertex) const {
-        const std::uint32_t at = place_[vertex];
-        return std::span(facet_).subspan(row_[at], row_[at + 1] - row_[at]);
-    }
-
- private:
-    static constexpr auto none = ~std::uint32_t{0};
-    std::vector<std::uint32_t> place_, row_{}, facet_{};
-};
-
-/// Whether temperatures of two facets belong to one smooth surface.
-class Alike {
- public:
-    explicit Alike(const FacetHeat& heat)
+    explicit SameLight(const FacetHeat& heat)
         : facets_(heat.sun.facets),
           fraction_(heat.sun.fraction),
           to_sun_(heat.sun.to_sun.cast<float>()) {
@@ -67,15 +28,27 @@ class Alike {
     }
 
     bool operator()(std::size_t a, std::size_t b) const {
-        if (facets_.material[a] != facets_.material[b] || facets_.object[a] != facets_.object[b] ||
-            facets_.normal[a].dot(facets_.normal[b]) <
-                (facets_.object[a] == ObjectId{0} ? one_ground : one_face)) {
-            return false;
-        }
         if (fraction_.empty() || !(known(a) && known(b))) return true;
         const float cosine =
             std::min(facets_.normal[a].dot(to_sun_), facets_.normal[b].dot(to_sun_));
         return std::abs(fraction_[a] - fraction_[b]) * std::max(cosine, 0.0f) < shadow_step;
+    }
+    /// Whether any two of them are.
+    bool of_all(std::span<const std::uint32_t> some) const {
+        if (fraction_.empty()) return true;
+        float least = 1.0f, most = 0.0f;
+        for (const std::uint32_t f : some) {
+            if (!known(f)) continue;
+            least = std::min(least, fraction_[f]);
+            most = std::max(most, fraction_[f]);
+        }
+        if (most - least < shadow_step) return true;
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (!(*this)(some[i], some[j])) return false;
+            }
+        }
+        return true;
     }
 
  private:
@@ -87,119 +60,164 @@ class Alike {
     std::vector<std::uint8_t> known_{};  // (facet) its share of the sun
 };
 
-/// Two unit vectors in which places on a surface are measured: east and north on ground, across the
-/// normal n on objects and cliffs, without a jump as it turns (Duff et al. 2017, Journal of
-/// Computer Graphics Techniques 6(1), listing 3).
-Eigen::Matrix<double, 2, 3> axes_of(const Eigen::Vector3d& n, ObjectId object) {
-    if (object == ObjectId{0} && n.z() > steepest) return Eigen::Matrix<double, 2, 3>::Identity();
-    const double sign = std::copysign(1.0, n.z());
-    const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
-    Eigen::Matrix<double, 2, 3> axes;
-    axes << 1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x(),  //
-        b, sign + n.y() * n.y() * a, -n.y();
-    return axes;
-}
+/// Temperatures at corners, of the planes that fit the facets around them best. Where a shadow's
+/// edge parts these, each facet has a fit of its own.
+class CornerHeat {
+ public:
+    CornerHeat(const CornerFits& fits, const FacetHeat& heat)
+        : facets_(heat.sun.facets),
+          fits_(fits),
+          temperature_(heat.temperature),
+          same_light_(heat),
+          whole_(fits.size()) {
+        for_each_index(
+            fits.size(), [&](std::size_t c) { whole_[c] = found(c); }, 1024);
+        lacks_.assign(facets_.size(), 0.0f);
+        for_each_index(
+            fits.around.size(),
+            [&](std::size_t i) {
+                const std::size_t f = index(fits.around[i]);
+                lacks_[f] = static_cast<float>(lacking(f, fits.fit[i]));
+            },
+            1024);
+        for_each_index(
+            fits.size(),
+            [&](std::size_t c) {
+                if (fits.of_chosen[c] && whole_[c].one) whole_[c].common = common(c, [](std::size_t) { return true; });
+            },
+            1024);
+    }
 
-/// The surfaces around chosen facets, with their temperatures.
-struct Surroundings {
-    const FacetSet& facets;
-    const FacetsAtVertex& at_vertex;
-    const Alike& alike;
-    std::span<const float> temperature;
+    /// Temperature at a corner, with what the fits lack of the facets around it on the mean: what
+    /// curvature takes from a fit, which is common to them, while chance mostly cancels [K].
+    double at(std::size_t f, std::uint32_t corner, std::uint32_t c) const {
+        if (whole_[c].one) return whole_[c].value + whole_[c].common;
+        return fitted(f, corner, c) + common(c, [&](std::size_t e) { return joined(f, e); });
+    }
+    float temperature(std::size_t f) const { return temperature_[f]; }
 
-    /// Calls body(other, off, weight) for the facets at a corner that are alike to one of them;
-    /// off: of the centroid from the corner [m], weight 1/off².
-    template <class Body>
-    void each(std::size_t f, std::uint32_t corner, const Body& body) const {
-        const Eigen::Vector3d place = facets.vertex[corner].cast<double>();
-        for (const std::uint32_t other : at_vertex[corner]) {
-            if (!alike(f, other)) continue;
-            const Eigen::Vector3d off = facets.centroid[other].cast<double>() - place;
-            if (off.squaredNorm() > 0.0) body(other, off, 1.0 / off.squaredNorm());
+    /// Range of a facet and its neighbours, relative to it [K].
+    void set_range(std::size_t f, const std::array<std::uint32_t, 3>& fit,
+                   FacetSlope& slope) const {
+        const auto include = [&](float low, float high) {
+            slope.low = std::min(slope.low, low - temperature_[f]);
+            slope.high = std::max(slope.high, high - temperature_[f]);
+        };
+        for (const std::uint32_t c : fit) {
+            if (whole_[c].one) {
+                include(whole_[c].low, whole_[c].high);
+                continue;
+            }
+            for (std::uint32_t e = fits_.row[c]; e < fits_.row[c + 1]; ++e) {
+                const float kelvin = temperature_[fits_.other[e]];
+                if (joined(f, e)) include(kelvin, kelvin);
+            }
         }
     }
 
-    /// Temperature at a corner: of the plane that fits the facets around it best, within their
-    /// range [K].
-    double fitted(std::size_t f, std::uint32_t corner) const {
-        // In the plane across their mean normal, the same for all that are alike.
-        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d&, double) {
-            normal += facets.normal[other].cast<double>();
-        });
-        if (!(normal.squaredNorm() > 0.0)) return double{temperature[f]};
-        const Eigen::Matrix<double, 2, 3> axes = axes_of(normal.normalized(), facets.object[f]);
-        double weights = 0.0, sum = 0.0, low = 1e9, high = -1e9;
-        Eigen::Vector2d first = Eigen::Vector2d::Zero(), slope = Eigen::Vector2d::Zero();
-        Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d& away, double weight) {
-            const double kelvin = double{temperature[other]};
-            const Eigen::Vector2d off = axes * away;
-            weights += weight;
-            sum += weight * kelvin;
-            first += weight * off;
-            slope += weight * kelvin * off;
-            second += weight * off * off.transpose();
+ private:
+    struct Fit {
+        bool one = false;  // for all its facets
+        float low = 1e9f, high = -1e9f;
+        double value = 0.0, common = 0.0;
+    };
+    std::span<const std::uint32_t> others(std::size_t c) const {
+        return std::span(fits_.other).subspan(fits_.row[c], fits_.row[c + 1] - fits_.row[c]);
+    }
+    bool joined(std::size_t f, std::size_t entry) const {
+        return same_light_(f, fits_.other[entry]);
+    }
+
+    Fit found(std::size_t c) const {
+        Fit fit{.one = fits_.weights[c] > 0.0 && same_light_.of_all(others(c))};
+        if (!fit.one) return fit;
+        double sum = 0.0;
+        Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+        for (std::uint32_t e = fits_.row[c]; e < fits_.row[c + 1]; ++e) {
+            const float kelvin = temperature_[fits_.other[e]];
+            const double weighted = fits_.weight[e] * double{kelvin};
+            sum += weighted;
+            slope += weighted * fits_.off[e];
+            fit.low = std::min(fit.low, kelvin);
+            fit.high = std::max(fit.high, kelvin);
+        }
+        fit.value = fits_.left[c] > 0.0
+                        ? std::clamp((sum - fits_.lever[c].dot(slope)) / fits_.left[c],
+                                     double{fit.low}, double{fit.high})
+                        : sum / fits_.weights[c];
+        return fit;
+    }
+
+    /// Of the facets that are in the light of one of them.
+    double fitted(std::size_t f, std::uint32_t corner, std::size_t c) const {
+        std::vector<std::uint32_t> some;
+        for (std::uint32_t e = fits_.row[c]; e < fits_.row[c + 1]; ++e) {
+            if (joined(f, e)) some.push_back(fits_.other[e]);
+        }
+        const CornerPlane plane = corner_plane(facets_, corner, facets_.object[f], some);
+        if (!(plane.weights > 0.0)) return double{temperature_[f]};
+        double sum = 0.0, low = 1e9, high = -1e9;
+        Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+        for (std::uint32_t e = fits_.row[c]; e < fits_.row[c + 1]; ++e) {
+            if (!joined(f, e) || fits_.weight[e] == 0.0) continue;
+            const std::uint32_t other = fits_.other[e];
+            const double kelvin = double{temperature_[other]};
+            const Eigen::Vector2d off = plane.axes * (facets_.centroid[other].cast<double>() -
+                                                      facets_.vertex[corner].cast<double>());
+            sum += fits_.weight[e] * kelvin;
+            slope += fits_.weight[e] * kelvin * off;
             low = std::min(low, kelvin);
             high = std::max(high, kelvin);
-        });
-        const double half = 0.5 * second.trace();
-        if (second.determinant() > least_spread * half * half) {
-            const Eigen::Vector2d lever = second.ldlt().solve(first);
-            const double left = weights - lever.dot(first);
-            if (left > least_spread * weights) {
-                return std::clamp((sum - lever.dot(slope)) / left, low, high);
-            }
         }
-        return sum / weights;
+        if (!(plane.left > 0.0)) return sum / plane.weights;
+        return std::clamp((sum - plane.lever.dot(slope)) / plane.left, low, high);
     }
 
     /// What the fits at its corners lack of a facet's temperature, on the mean [K].
-    double lacking(std::size_t f) const {
+    double lacking(std::size_t f, const std::array<std::uint32_t, 3>& fit) const {
         double sum = 0.0;
-        for (const std::uint32_t v : facets.corner[f]) sum += fitted(f, v);
-        return double{temperature[f]} - sum / 3.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum +=
+                whole_[fit[k]].one ? whole_[fit[k]].value : fitted(f, facets_.corner[f][k], fit[k]);
+        }
+        return double{temperature_[f]} - sum / 3.0;
     }
 
-    /// The mean at a corner of what the fits lack of the facets around it: what curvature takes
-    /// from a fit, which is common to them, while chance mostly cancels [K].
-    double common(std::size_t f, std::uint32_t corner, std::span<const float> lacks) const {
+    template <class Counts>
+    double common(std::size_t c, const Counts& counts) const {
         double weights = 0.0, sum = 0.0;
-        each(f, corner, [&](std::uint32_t other, const Eigen::Vector3d&, double weight) {
-            weights += weight;
-            sum += weight * double{lacks[other]};
-        });
+        for (std::uint32_t e = fits_.row[c]; e < fits_.row[c + 1]; ++e) {
+            if (!counts(e)) continue;
+            weights += fits_.weight[e];
+            sum += fits_.weight[e] * double{lacks_[fits_.other[e]]};
+        }
         return weights > 0.0 ? sum / weights : 0.0;
     }
 
-    /// Range of a facet and its neighbours, relative to it [K].
-    void set_range(std::size_t f, FacetSlope& slope) const {
-        for (const std::uint32_t v : facets.corner[f]) {
-            for (const std::uint32_t other : at_vertex[v]) {
-                if (!alike(f, other)) continue;
-                slope.low = std::min(slope.low, temperature[other] - temperature[f]);
-                slope.high = std::max(slope.high, temperature[other] - temperature[f]);
-            }
-        }
-    }
+    const FacetSet& facets_;
+    const CornerFits& fits_;
+    std::span<const float> temperature_;
+    SameLight same_light_;
+    std::vector<Fit> whole_;
+    std::vector<float> lacks_{};  // (facet)
 };
 
-/// lacks  (facet) Ground::lacking, of this facet and its neighbours
-FacetSlope slope_of(std::size_t f, const Surroundings& around, std::span<const float> lacks) {
-    const FacetSet& facets = around.facets;
+/// - fit: at its corners
+FacetSlope slope_of(const FacetSet& facets, std::size_t f, const CornerHeat& heat,
+                    const std::array<std::uint32_t, 3>& fit) {
     FacetSlope slope;
-    around.set_range(f, slope);
+    heat.set_range(f, fit, slope);
     if (slope.high - slope.low < least_kelvins) return slope;
     const auto& corner = facets.corner[f];
     const Eigen::Matrix<float, 2, 3> axes =
-        axes_of(facets.normal[f].cast<double>().normalized(), facets.object[f]).cast<float>();
+        surface_axes(facets.normal[f].cast<double>().normalized(), facets.object[f]).cast<float>();
     std::array<Eigen::Vector2f, 3> off;
     Eigen::Vector3f warmer;
     for (std::size_t k = 0; k < 3; ++k) {
         off[k] = axes * (facets.vertex[corner[k]] - facets.centroid[f]);
-        const double kelvin = around.fitted(f, corner[k]) + around.common(f, corner[k], lacks);
+        const double kelvin = heat.at(f, corner[k], fit[k]);
         warmer[Eigen::Index(k)] =
-            std::clamp(float(kelvin - double{around.temperature[f]}), slope.low, slope.high);
+            std::clamp(float(kelvin - double{heat.temperature(f)}), slope.low, slope.high);
     }
     Eigen::Matrix2f sides;
     sides << (off[1] - off[0]).transpose(), (off[2] - off[0]).transpose();
@@ -225,44 +243,22 @@ FacetSlope slope_of(std::size_t f, const Surroundings& around, std::span<const f
     return slope;
 }
 
-/// Facets and all with a common corner, ascending, each once.
-std::vector<SurfaceId> with_neighbours(std::span<const SurfaceId> chosen, const FacetSet& facets,
-                                       const FacetsAtVertex& at_vertex) {
-    std::vector<SurfaceId> all(chosen.begin(), chosen.end());
-    for (const SurfaceId f : chosen) {
-        for (const std::uint32_t v : facets.corner[index(f)]) {
-            for (const std::uint32_t other : at_vertex[v]) all.push_back(SurfaceId{other});
-        }
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
 }  // namespace
 
-std::vector<FacetSlope> facet_slopes(std::span<const SurfaceId> chosen, const FacetHeat& heat) {
-    const FacetSet& facets = heat.sun.facets;
-    const std::vector<SurfaceId> around =
-        with_neighbours(chosen, facets, FacetsAtVertex(facets, chosen));
-    const FacetsAtVertex at_vertex(facets, around);
-    const Alike alike(heat);
-    const Surroundings of{facets, at_vertex, alike, heat.temperature};
-    std::vector<float> lacks(facets.size(), 0.0f);
+std::vector<FacetSlope> facet_slopes(const CornerFits& fits, const FacetHeat& heat) {
+    const CornerHeat corners(fits, heat);
+    std::vector<FacetSlope> slopes(fits.chosen.size());
     for_each_index(
-        around.size(),
-        [&](std::size_t k) { lacks[index(around[k])] = float(of.lacking(index(around[k]))); },
-        1024);
-    std::vector<FacetSlope> slopes(chosen.size());
-    for_each_index(
-        chosen.size(), [&](std::size_t k) { slopes[k] = slope_of(index(chosen[k]), of, lacks); },
+        slopes.size(),
+        [&](std::size_t k) {
+            slopes[k] =
+                slope_of(heat.sun.facets, index(fits.chosen[k]), corners, fits.fit[fits.place[k]]);
+        },
         1024);
     return slopes;
 }
 
-LinearFacets linear_facets(const View& view, const Observer& observer, const FacetHeat& heat) {
-    const FacetSet& facets = heat.sun.facets;
-    LinearFacets out;
+std::vector<SurfaceId> facets_with_slopes(const View& view) {
     std::vector<SurfaceId> chosen;
     for (std::size_t t = 0; t < view.surface.size(); ++t) {
         const auto target = static_cast<std::uint32_t>(t);
@@ -270,7 +266,15 @@ LinearFacets linear_facets(const View& view, const Observer& observer, const Fac
     }
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-    const std::vector<FacetSlope> slopes = facet_slopes(chosen, heat);
+    return chosen;
+}
+
+LinearFacets linear_facets(const View& view, const Observer& observer, const CornerFits& fits,
+                           const FacetHeat& heat) {
+    const FacetSet& facets = heat.sun.facets;
+    const std::vector<SurfaceId>& chosen = fits.chosen;
+    LinearFacets out;
+    const std::vector<FacetSlope> slopes = facet_slopes(fits, heat);
     std::vector<const FacetSlope*> of_facet(facets.size(), nullptr);
     bool any = false;
     for (std::size_t k = 0; k < chosen.size(); ++k) {

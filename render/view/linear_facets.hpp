@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/view/corner_fits.hpp"
 #include "render/view/observer.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
@@ -52,7 +53,9 @@ struct FacetHeat {
 /// cosine of incidence, differ by less than 0.02.
 ///
 /// returns  (chosen)
-std::vector<FacetSlope> facet_slopes(std::span<const SurfaceId> chosen, const FacetHeat& heat);
+///
+/// - fits: of the chosen facets
+std::vector<FacetSlope> facet_slopes(const CornerFits& fits, const FacetHeat& heat);
 
 /// Temperature of surfaces where pixels see them, relative to their facets' own.
 struct LinearFacets {
@@ -63,6 +66,12 @@ struct LinearFacets {
 
 /// Slopes of all facets in a view, where its pixels' middles see them; copies have none. The same
 /// bytes for any number of threads.
-LinearFacets linear_facets(const View& view, const Observer& observer, const FacetHeat& heat);
+///
+/// - fits: of facets_with_slopes()
+LinearFacets linear_facets(const View& view, const Observer& observer, const CornerFits& fits,
+                           const FacetHeat& heat);
+
+/// Facets that a view sees, those of copies excepted; ascending, each once.
+std::vector<SurfaceId> facets_with_slopes(const View& view);
 
 }  // namespace diurna

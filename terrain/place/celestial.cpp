@@ -3,6 +3,7 @@
 #include <erfa.h>
 #include <erfam.h>
 
+#include <array>
 #include <cmath>
 
 #include "materials/base/units.hpp"
@@ -39,24 +40,25 @@ JulianDate terrestrial_time(Instant instant) {
     return julian_date(instant).later(leap_seconds(instant) + ERFA_TTMTAI);
 }
 
-/// From the celestial frame (GCRS) to the one that turns with the earth.
-Eigen::Vector3d turned_with_earth(double celestial[3], Instant instant) {
-    const JulianDate utc = julian_date(instant), tt = terrestrial_time(instant);
-    double to_intermediate[3][3], to_terrestrial[3][3], no_polar_motion[3][3];
+/// From the celestial frame (GCRS) to that of the pole and origin of date (CIRS).
+Eigen::Vector3d of_date(const JulianDate& tt, double celestial[3]) {
+    double to_intermediate[3][3];
     eraC2i00b(tt.day, tt.fraction, to_intermediate);
-    eraIr(no_polar_motion);
-    eraC2tcio(to_intermediate, eraEra00(utc.day, utc.fraction), no_polar_motion, to_terrestrial);
-
     Eigen::Vector3d place;
-    eraRxp(to_terrestrial, celestial, place.data());
+    eraRxp(to_intermediate, celestial, place.data());
     return place;
 }
 
-}  // namespace
+/// From the frame of date to the one that turns with the earth. No polar motion.
+Eigen::Vector3d turned_with_earth(const Eigen::Vector3d& place, Instant instant) {
+    const JulianDate utc = julian_date(instant);
+    const double angle = eraEra00(utc.day, utc.fraction);
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * place.x() + s * place.y(), c * place.y() - s * place.x(), place.z()};
+}
 
-Eigen::Vector3d sun_from_earth(Instant instant) {
-    const JulianDate tt = terrestrial_time(instant);
-
+/// Apparent position of the sun in the frame of date [au].
+Eigen::Vector3d sun_of_date(const JulianDate& tt) {
     double heliocentric[2][3], barycentric[2][3];
     eraEpv00(tt.day, tt.fraction, heliocentric, barycentric);
 
@@ -68,15 +70,43 @@ Eigen::Vector3d sun_from_earth(Instant instant) {
     double velocity[3], apparent[3];
     eraSxp(ERFA_AULT / ERFA_DAYSEC, barycentric[1], velocity);
     eraAb(towards_sun, velocity, distance, std::sqrt(1.0 - eraPdp(velocity, velocity)), apparent);
+    return distance * of_date(tt, apparent);
+}
 
-    return distance * turned_with_earth(apparent, instant);
+/// sun_of_date() at multiples of half a day of terrestrial time, the last few that a thread used.
+const Eigen::Vector3d& sun_knot(long long half_days) {
+    struct Knot {
+        long long half_days = -1;
+        Eigen::Vector3d place;
+    };
+    thread_local std::array<Knot, 64> knots;
+    Knot& knot = knots[static_cast<std::size_t>(half_days & 63)];
+    if (knot.half_days != half_days) {
+        knot = {half_days, sun_of_date({0.5 * static_cast<double>(half_days), 0.0})};
+    }
+    return knot.place;
+}
+
+}  // namespace
+
+Eigen::Vector3d sun_from_earth(Instant instant) {
+    const JulianDate tt = terrestrial_time(instant);
+    // Julian dates of days end in .5, so that twice a day is whole.
+    const double after = 2.0 * tt.fraction, begin = std::floor(after), x = after - begin;
+    const long long k = std::llround(2.0 * tt.day) + static_cast<long long>(begin);
+    // Lagrange through −1, 0, 1, 2.
+    const Eigen::Vector3d place = -x * (x - 1.0) * (x - 2.0) / 6.0 * sun_knot(k - 1) +
+                                  (x + 1.0) * (x - 1.0) * (x - 2.0) / 2.0 * sun_knot(k) -
+                                  (x + 1.0) * x * (x - 2.0) / 2.0 * sun_knot(k + 1) +
+                                  (x + 1.0) * x * (x - 1.0) / 6.0 * sun_knot(k + 2);
+    return turned_with_earth(place, instant);
 }
 
 Eigen::Vector3d moon_from_earth(Instant instant) {
     const JulianDate tt = terrestrial_time(instant);
     double moon[2][3];
     eraMoon98(tt.day, tt.fraction, moon);
-    return turned_with_earth(moon[0], instant);
+    return turned_with_earth(of_date(tt, moon[0]), instant);
 }
 
 Eigen::Vector3d from_site(const Site& site, const Eigen::Vector3d& place) {

@@ -12,7 +12,8 @@ namespace diurna {
 // taken as UTC: they differ by less than 0.9 s, 0.004° of hour angle and, on average over a year,
 // much less.
 
-/// Apparent position, with aberration by the earth's motion.
+/// Apparent position, with aberration by the earth's motion: cubic between half days of terrestrial
+/// time, 2.2e-10 rad and 4e-10 au from ERFA's own (40 000 instants from 2016 to 2026).
 Eigen::Vector3d sun_from_earth(Instant instant);
 
 /// Apparent position: Meeus's (1998) series of ELP 2000, with light travel time; 10″ in longitude,

@@ -55,7 +55,7 @@ TEST_CASE("longwave under a share of cloud and a scale is that of the model with
     BandModel model = hazy("rural", 23.0);
     model.cloud.fraction = 0.6;
     model.cloud.base_km = 1.4;
-    const GroundSky sky(model, 0.1);
+    GroundSky sky(model, 0.1);
     for (const double share : {0.0, 0.25, 0.6}) {
         for (const double column : {1.0, 0.4, 1.7}) {
             BandModel same = model;

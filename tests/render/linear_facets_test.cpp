@@ -60,7 +60,7 @@ struct Field {
         const RayScene rays(facets);
         std::vector<SurfaceId> all;
         for (std::size_t f = 0; f < facets.size(); ++f) all.push_back(SurfaceId{std::uint32_t(f)});
-        return facet_slopes(all,
+        return facet_slopes(CornerFits(facets, all),
                             {.sun = {rays, facets, fraction, to_sun}, .temperature = temperature});
     }
     /// (facet) [K] at the centroids
@@ -101,7 +101,7 @@ struct Seen {
     Seen(const Field& field, const std::vector<float>& temperature, const Observer& eye) {
         const RayScene rays(field.facets);
         view = cast_view(rays, field.facets, eye, {.samples = 16});
-        ground = linear_facets(view, eye,
+        ground = linear_facets(view, eye, CornerFits(field.facets, facets_with_slopes(view)),
                                {.sun = {rays, field.facets, field.fraction, field.to_sun},
                                 .temperature = temperature});
         flat = picture(field, temperature, eye, nullptr);

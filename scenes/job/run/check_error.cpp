@@ -97,7 +97,7 @@ AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const Ch
     std::vector<SurfaceId> of_point;
     for (const CheckPoint& point : points.point) of_point.push_back(point.surface);
     const std::vector<FacetSlope> slope =
-        facet_slopes(of_point, {.sun = sun, .temperature = temperature});
+        facet_slopes(CornerFits(surfaces, of_point), {.sun = sun, .temperature = temperature});
     for (std::size_t k = 0; k < warmer.size(); ++k) {
         const CheckPoint& point = points.point[k];
         warmer[k] = slope[k].at(point.place - surfaces.centroid[index(point.surface)]);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "materials/base/error.hpp"
+#include "materials/base/unsynced_files.hpp"
 #include "scenes/job/plan/frame_files.hpp"
 #include "scenes/job/plan/memory_limit.hpp"
 #include "scenes/job/plan/prepared.hpp"
@@ -91,13 +92,14 @@ class Job {
         }
         const bool earlier = take_earlier();
         const FolderLock lock(out_);
+        UnsyncedFiles unsynced(out_);  // the ledger's digests tell whole files from others
         Ledger ledger(out_, manifest_.key, earlier);
         begin_folder(expected_files(), out_, ledger, progress_, report_);
         write_manifest(out_, prepared_.scene, manifest_);
         const std::optional<TemperatureField> field = temperatures(std::move(given), ledger);
         if (!field) return std::nullopt;
         render(*field, ledger);
-        finish(*field, ledger);
+        finish(*field, ledger, unsynced);
         return std::move(report_);
     }
 
@@ -228,7 +230,7 @@ class Job {
     }
 
     /// Labels and report of the pictures that are in the folder, and the manifest of all.
-    void finish(const TemperatureField& field, Ledger& ledger) {
+    void finish(const TemperatureField& field, Ledger& ledger, UnsyncedFiles& unsynced) {
         std::optional<PicturesThere> some;
         if (!options_.pictures.all()) {
             some.emplace(pictures_there(prepared_, chosen_, ledger));
@@ -249,6 +251,7 @@ class Job {
         report_.files.emplace_back("report.html");
         ledger.write();
         report_.files.emplace_back(ledger_file);
+        unsynced.sync();
         report_.stages = progress_.stages();
         manifest_.outputs = report_.files;
         manifest_.stages = report_.stages;

@@ -127,7 +127,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     }
     RememberedSun remembered;
     if (!light.moon && !blurred) {
-        remembered = remembered_sun(prepared, views, fraction, s.lit.facet, instant);
+        remembered = remembered_sun(prepared, views, fraction, s.beside_seen, instant);
     }
     if (!remembered.empty()) {
         over.also = remembered.moments();
@@ -138,7 +138,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
         set_pixel_heat(s.view, over, materials, temperature, s.sampling.texture_levels, pixel_sun);
     }
     const LinearFacets ground =
-        linear_facets(s.view, s.observer,
+        linear_facets(s.view, s.observer, s.fits,
                       {.sun = over,
                        .temperature = temperature,
                        .lit = covered || measured ? std::span<const SurfaceId>() : s.lit.facet});

@@ -30,7 +30,7 @@ struct RememberedSun {
 /// earlier shadows were elsewhere.
 ///
 /// - fraction: (surface) sunlit share at the instant
-/// - wanted: surfaces that are seen; empty: nothing
+/// - wanted: surfaces on or beside visible facets; empty: nothing
 RememberedSun remembered_sun(const Prepared& prepared, const FacetViews& views,
                              std::span<const float> fraction, std::span<const SurfaceId> wanted,
                              Instant instant);

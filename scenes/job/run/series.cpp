@@ -9,6 +9,7 @@
 #include "render/picture/cube.hpp"
 #include "render/rays/follow_rays.hpp"
 #include "render/view/cast_view.hpp"
+#include "render/view/linear_facets.hpp"
 #include "scenes/job/run/appearances.hpp"
 #include "scenes/job/run/behind_planes.hpp"
 #include "scenes/job/run/light_heights.hpp"
@@ -23,6 +24,24 @@ double mean_wind(const Prepared& prepared, std::span<const Instant> frames) {
     double sum = 0.0;
     for (const Instant instant : frames) sum += wind_at(prepared, instant);
     return sum / std::max<double>(1.0, double(frames.size()));
+}
+
+/// Of some surfaces those on facets that share a corner with a visible one.
+std::vector<SurfaceId> beside(const World& world, std::span<const SurfaceId> seen,
+                              std::span<const SurfaceId> some) {
+    const auto corners = [&](SurfaceId surface) {
+        return world.facets.corner[index(world.texture_levels.facet_of(surface))];
+    };
+    std::vector<std::uint8_t> touched(world.facets.vertex.size(), 0);
+    for (const SurfaceId surface : seen) {
+        for (const std::uint32_t v : corners(surface)) touched[v] = 1;
+    }
+    std::vector<SurfaceId> found;
+    for (const SurfaceId surface : some) {
+        const auto [a, b, c] = corners(surface);
+        if (touched[a] || touched[b] || touched[c]) found.push_back(surface);
+    }
+    return found;
 }
 
 /// Gives all levels of a texture in a facet's place its appearance: what a sample sees there is a
@@ -64,6 +83,7 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
              .view = {},
              .secondary_rays = {},
              .lit = {},
+             .fits = {},
              .cubes = {},
              .behind = {}};
     for (const std::string& band : s.input.bands) {
@@ -109,6 +129,8 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
     set_light_heights(prepared, still);
     const std::vector<SurfaceId> seen = seen_surfaces(s.view.surface, s.secondary_rays);
     s.lit = lit_facets(still, seen, s.bands);
+    s.fits = CornerFits(surfaces, facets_with_slopes(s.view));
+    s.beside_seen = beside(prepared.world, s.view.surface, s.lit.facet);
     for (const std::string& name : s.input.cubes) {
         const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
                                        [&](const CubeInput& c) { return c.name == name; });

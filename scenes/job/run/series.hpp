@@ -9,6 +9,7 @@
 #include "render/light/lit_facets.hpp"
 #include "render/picture/frame.hpp"
 #include "render/rays/secondary_rays.hpp"
+#include "render/view/corner_fits.hpp"
 #include "render/view/view.hpp"
 #include "scenes/job/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
@@ -32,6 +33,8 @@ struct Series {
     View view;
     SecondaryRays secondary_rays;
     LitFacets lit;
+    CornerFits fits;                       // of the visible facets
+    std::vector<SurfaceId> beside_seen{};  // lit surfaces on or beside a visible facet
     std::vector<CubeSeries> cubes;
     std::vector<Plane> behind;  // for bands in which objects are visible behind nets or panes
 };

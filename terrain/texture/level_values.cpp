@@ -38,9 +38,15 @@ class RowsOverLevels {
         }
         of_levels.row.push_back(static_cast<std::uint32_t>(of_levels.facet.size()));
     }
-    ViewFactors of_levels{};
+    /// The rows, of exactly their size.
+    ViewFactors taken() {
+        of_levels.facet.shrink_to_fit();
+        of_levels.factor.shrink_to_fit();
+        return std::move(of_levels);
+    }
 
  private:
+    ViewFactors of_levels{};
     const TextureLevels& levels_;
     const ViewFactors& solid_;
     std::vector<std::pair<std::uint32_t, float>> copies_{};
@@ -78,7 +84,7 @@ FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews&
     if (solid.others.row.empty()) return all;
     RowsOverLevels rows(texture_levels, solid.others, texture_levels.origin.size());
     for (const std::uint32_t f : texture_levels.origin) rows.append(f);
-    all.others = std::move(rows.of_levels);
+    all.others = rows.taken();
     return all;
 }
 
@@ -86,7 +92,7 @@ ViewFactors levels_seen(const TextureLevels& texture_levels, const ViewFactors& 
     const std::size_t n = solid.row.size() - 1;
     RowsOverLevels rows(texture_levels, solid, n);
     for (std::size_t f = 0; f < n; ++f) rows.append(f);
-    return std::move(rows.of_levels);
+    return rows.taken();
 }
 
 }  // namespace diurna

@@ -26,7 +26,7 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
     Block& block = solve.block.emplace_back();
     // Two states; the period map keeps half of each, so that I − M is a half.
     const PeriodMap::Factors half(0.5 * Eigen::MatrixXd::Identity(2, 2));
-    const Eigen::MatrixXd nothing(0, 2);
+    const Eigen::MatrixXf nothing(0, 2);
     block.period = PeriodMap{half, half, nothing, nothing};
     block.material = 0;
     block.stride = lanes;

@@ -34,7 +34,7 @@ void BlockHeat::begin_step(std::size_t i) {
     facet_heat(solve_, block_, face(i), i, after_);
     edges_ = edges_of(level_, backs_ ? block_.back : block_.front, i);
     const double absorptance = edges_.empty() ? 0.0 : face(i).absorptance;
-    for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;
+    for (const Block::Jump& edge : edges_) jump_[edge.lane] = absorptance * double(edge.heat);
 }
 
 void BlockHeat::begin_substep(int s, std::size_t time) {
@@ -46,8 +46,8 @@ void BlockHeat::begin_substep(int s, std::size_t time) {
     }
     add_sky(time);
     jumps.clear();
-    for (const HeatJump& edge : edges_) {
-        const double within = edge.share * substeps - s;
+    for (const Block::Jump& edge : edges_) {
+        const double within = double(edge.share) * substeps - s;
         if (within < 1.0) at_end[edge.lane] += jump_[edge.lane];
         if (within >= 0.0 && within < 1.0) {
             jumps.push_back({edge.lane, std::clamp(within, 1e-3, 1.0 - 1e-3), jump_[edge.lane]});
@@ -56,7 +56,7 @@ void BlockHeat::begin_substep(int s, std::size_t time) {
 }
 
 void BlockHeat::end_step() {
-    for (const HeatJump& edge : edges_) jump_[edge.lane] = 0.0;
+    for (const Block::Jump& edge : edges_) jump_[edge.lane] = 0.0;
     std::copy_n(after_, filled_, before_);
 }
 

@@ -25,7 +25,7 @@ class BlockHeat {
     void end_step();
 
     /// The jumps of sunlight in the step, and their size in a lane's heat.
-    std::span<const HeatJump> edges() const { return edges_; }
+    std::span<const Block::Jump> edges() const { return edges_; }
     double jump(std::size_t lane) const { return jump_[lane]; }
     /// The same without the sky, with its jumps spread over the step.
     double straight(std::size_t lane, double share) const {
@@ -51,7 +51,7 @@ class BlockHeat {
     const Kind& kind_;
     std::size_t filled_;
     bool backs_;
-    std::span<const HeatJump> edges_;
+    std::span<const Block::Jump> edges_;
     alignas(64) double before_[mode_lanes], after_[mode_lanes], jump_[mode_lanes] = {};
 };
 

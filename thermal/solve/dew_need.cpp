@@ -40,7 +40,7 @@ Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::s
     Dew dew;
     const double radiation = kind.column.surface.emissivity * stefan_boltzmann;
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const double t = solve.kelvin[i * solve.facets + block.facet[lane]];
+        const double t = solve.kelvin.at(i, block.facet[lane]);
         // Far from it, as most are, nothing need be known exactly.
         if (t > warmest[i]) continue;
         const std::size_t time = time_of(solve, kind, i);
@@ -53,7 +53,7 @@ Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::s
         if (saturation_over_frost(t, slope) > vapour) continue;
         const AirFilm air =
             block.up.empty() ? low : air_between(low, kind.high(block, time).air, block.up[lane]);
-        const Film film = film_of(air, block.natural[lane], t);
+        const Film film = film_of(air, natural_film_of(solve, block.facet[lane]), t);
         const double heat = latent_heat_or_frost(air, film, 0.0, 0.0, t).flux;
         if (heat <= 0.0) continue;
         const double loses = film.h + film.rise + 4.0 * radiation * t * t * t;

@@ -44,10 +44,10 @@ void for_each_facet(const Block& block, const Body& body) {
 Extrapolation::Iterate Extrapolation::taken(const SolveState& solve, const Block& block) {
     Iterate now{.excess = {}, .start = block.start};
     if (solve.excess.empty()) return now;
+    const std::size_t instants = solve.excess.slots();
     for_each_facet(block, [&](std::size_t f) {
-        for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-            now.excess.push_back(solve.excess[i * solve.facets + f]);
-        }
+        now.excess.resize(now.excess.size() + instants);
+        solve.excess.get(f, &now.excess[now.excess.size() - instants]);
     });
     return now;
 }
@@ -71,11 +71,15 @@ void Extrapolation::after_pass(SolveState& solve) {
                 block.start[i] += further * (known[2].start[i] - known[1].start[i]);
             }
             std::size_t at = 0;
+            std::vector<float> excess(solve.excess.slots());
             for_each_facet(block, [&](std::size_t f) {
-                for (std::size_t i = 0; i < solve.instant.size(); ++i, ++at) {
-                    solve.excess[i * solve.facets + f] += float(
-                        further * (double(known[2].excess[at]) - double(known[1].excess[at])));
+                solve.excess.get(f, excess.data());
+                for (float& value : excess) {
+                    value += float(further *
+                                   (double(known[2].excess[at]) - double(known[1].excess[at])));
+                    ++at;
                 }
+                solve.excess.put(f, excess.data());
             });
             block.move.clear();  // no pass has made this step: Broyden's update skips it
             block.heat_change = 1e9;

@@ -9,8 +9,8 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t instants_at_once = 16;  // a cache line of every facet
-constexpr double sunlight_bound = 1e-4;       // of the global sun, skipped of a facet's light
+constexpr std::size_t instants_at_once = PackedField::run;  // a cache line of every facet
+constexpr double sunlight_bound = 1e-4;  // of the global sun, skipped of a facet's light
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -35,15 +35,14 @@ class SunlightAtOnce {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
             const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
+            float share[instants_at_once];
+            shares_of(f, share);
             OpenSky open = open_sky(sky_of(scene_.views, scene_.facets, f));
             open.view = double{scene_.views.sky[f]};
             for (std::size_t k = 0; k < n; ++k) {
                 const SkyState& sky = sun_.sky.sky[instants_[k] * sun_.sky.tiers];
                 // The fraction counts the facet's own turning away already.
-                const double lit = sun_.fraction.empty()
-                                       ? 1.0
-                                       : sun_.fraction[instants_[k] * scene_.facets.size() + f];
-                const double seen = std::max(0.0, normal.dot(sky.to_sun)) * lit;
+                const double seen = std::max(0.0, normal.dot(sky.to_sun)) * double(share[k]);
                 const auto of_tier = [&](const Light& of) {
                     double light = facet_sunlight(of.sky, seen, open);
                     if (scene_.exchange) {
@@ -85,16 +84,25 @@ class SunlightAtOnce {
                      });
     }
 
-    void put(std::span<float> incident) const {
-        const std::size_t n = instants_.size(), facets = scene_.facets.size();
-        for_each_index(facets, [&](std::size_t f) {
-            for (std::size_t k = 0; k < n; ++k) {
-                incident[instants_[k] * facets + f] = incident_[f * n + k];
-            }
-        });
-    }
+    /// (facet, instant of these)
+    std::span<const float> incident() const { return incident_; }
 
  private:
+    /// A facet's share in the sun at these instants.
+    void shares_of(std::size_t f, float* share) const {
+        const std::size_t n = instants_.size();
+        if (sun_.shares != nullptr && !sun_.shares->empty()) {
+            for (std::size_t k = 0; k < n; ++k) {
+                share[k] = sun_.shares->at(sun_.first + instants_[k], f);
+            }
+        } else if (sun_.fraction.empty()) {
+            std::fill_n(share, n, 1.0f);
+        } else {
+            for (std::size_t k = 0; k < n; ++k) {
+                share[k] = sun_.fraction[instants_[k] * scene_.facets.size() + f];
+            }
+        }
+    }
     /// Of all facets at these instants, if it changes.
     void spread_albedo() {
         if (!scene_.changing) return;
@@ -163,29 +171,46 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
     return optics;
 }
 
-void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
-                       std::span<float> incident) {
+std::vector<std::size_t> sunlit(const SkyOverFacets& sky) {
+    std::vector<std::size_t> lit;
+    for (std::size_t i = 0; i < sky.instants(); ++i) {
+        if (sky.sky[i * sky.tiers].global_horizontal() > 0.0) lit.push_back(i);
+    }
+    return lit;
+}
+
+void incident_sunlight(
+    const ExchangingFacets& scene, const SunlitInstants& sun,
+    const std::function<void(std::span<const std::size_t>, std::span<const float>)>& put) {
     const std::size_t facets = scene.facets.size();
     const bool bounces = scene.exchange && !scene.views.others.facet.empty();
     const std::vector<float> albedo = greatest_albedo(scene);
     const double bound =
         sunlight_bound * (1.0 - double(greatest_sent_on(
                                     scene.views, std::span(albedo).first(facets - scene.beside))));
-    std::vector<std::size_t> lit;
-    for (std::size_t i = 0; i < sun.sky.instants(); ++i) {
-        if (sun.sky.sky[i * sun.sky.tiers].global_horizontal() > 0.0) {
-            lit.push_back(i);
-        } else {
-            std::fill_n(incident.begin() + std::ptrdiff_t(i * facets), facets, 0.0f);
-        }
-    }
+    const std::vector<std::size_t> lit = sunlit(sun.sky);
     for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
         const std::size_t count = std::min(instants_at_once, lit.size() - first);
-        SunlightAtOnce light(scene, sun, std::span(lit).subspan(first, count));
+        const std::span<const std::size_t> instants = std::span(lit).subspan(first, count);
+        SunlightAtOnce light(scene, sun, instants);
         light.add_sunlight();
         if (bounces) light.bounce(bound);
-        light.put(incident);
+        put(instants, light.incident());
     }
+}
+
+void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
+                       std::span<float> incident) {
+    std::fill(incident.begin(), incident.end(), 0.0f);
+    const std::size_t facets = scene.facets.size();
+    incident_sunlight(
+        scene, sun, [&](std::span<const std::size_t> instants, std::span<const float> light) {
+            for_each_index(facets, [&](std::size_t f) {
+                for (std::size_t k = 0; k < instants.size(); ++k) {
+                    incident[instants[k] * facets + f] = light[f * instants.size() + k];
+                }
+            });
+        });
 }
 
 void arriving_longwave(const FacetViews& view, std::span<const float> leaving, std::size_t facet,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/view_factors.hpp"
+#include "thermal/solve/packed_field.hpp"
 #include "thermal/weather/sky_state.hpp"
 
 namespace diurna {
@@ -57,7 +59,9 @@ struct SkyOverFacets {
 /// The instants at which sunlight is computed.
 struct SunlitInstants {
     SkyOverFacets sky;
-    std::span<const float> fraction;  // (instant, facet) share in the sun; empty: no shadows
+    std::span<const float> fraction;      // (instant, facet) share in the sun; empty: no shadows
+    const PackedField* shares = nullptr;  // or of these instants of a field; null or empty: none
+    std::size_t first = 0;                // of its instants
 };
 
 /// The largest share of emitted light that returns from other facets, over all facets, 0 to 0.99:
@@ -71,6 +75,15 @@ float greatest_sent_on(const FacetViews& views, std::span<const float> reflectan
 /// incident  (instant, facet)
 void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
                        std::span<float> incident);
+/// The same for the sunlit instants, PackedField::run of them at a time in their order; the light
+/// of the others is zero.
+///
+/// put  (instants, light): light is (facet, instant of these)
+void incident_sunlight(
+    const ExchangingFacets& scene, const SunlitInstants& sun,
+    const std::function<void(std::span<const std::size_t>, std::span<const float>)>& put);
+/// Instants with sunlight.
+std::vector<std::size_t> sunlit(const SkyOverFacets& sky);
 
 /// View factor of a facet to surroundings at its own temperature in longwave: beyond the scene's
 /// edge, and the backs of sheets.
@@ -90,8 +103,8 @@ inline float leaving_longwave(float emissivity, double sky_longwave, float tempe
     const double black = stefan_boltzmann * power4(double(temperature));
     return float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess);
 }
-/// and the irradiance of a facet, at all instants at once: a row of the exchange is read once, and
-/// its partners' values are contiguous.
+/// and the irradiance of a facet, at some instants at once: a row of the exchange is read once for
+/// them, and its partners' values are contiguous.
 ///
 /// leaving  (facet, instant)
 /// excess   (instant) new D

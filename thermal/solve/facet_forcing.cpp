@@ -23,12 +23,11 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
     measured_share_ = measured_share(solve.input, solve.input.facets.material[facet]);
     rain_share_ = rain_on(solve, facet);
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const std::size_t at = i * solve.facets + facet;
         double longwave = solve.at_facet(&SkyState::longwave_down, i, facet);
-        if (!solve.excess.empty()) longwave += solve.excess[at];
+        if (!solve.excess.empty()) longwave += double(solve.excess.at(i, facet));
         if (!solve.tilt.empty())
             longwave += solve.tilt[facet] * solve.at_facet(&SkyState::tilted_longwave, i, facet);
-        sunlight_.push_back(solve.sunlight[at]);
+        sunlight_.push_back(solve.sunlight.at(i, facet));
         if (!solve.tiers.flat() && !weather_.empty()) {
             weather_[i].air = air_at_height(*solve.input.by_height, weather_[i].air,
                                             double(solve.input.height[facet]));
@@ -54,13 +53,13 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         const BlockFace face = back_of(solve, block);
         wet_behind_ = face.wet;
         for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-            const std::size_t at = i * solve.facets + back;
             double longwave = solve.at_facet(&SkyState::longwave_down, i, back);
-            if (!solve.excess.empty()) longwave += solve.excess[at];
+            if (!solve.excess.empty()) longwave += double(solve.excess.at(i, back));
             if (!solve.tilt.empty()) {
                 longwave += solve.tilt[back] * solve.at_facet(&SkyState::tilted_longwave, i, back);
             }
-            behind_.push_back(face.absorptance * solve.sunlight[at] + face.emissivity * longwave);
+            behind_.push_back(face.absorptance * double(solve.sunlight.at(i, back)) +
+                              face.emissivity * longwave);
         }
     }
     if (block.front.jump.empty()) return;
@@ -68,8 +67,10 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         first_jump_.push_back(jump_.size());
         for (std::size_t k = block.front.of[i]; k < block.front.of[i + 1]; ++k) {
             if (block.front.jump[k].lane != lane) continue;
-            jump_.push_back(block.front.jump[k]);
-            edge_.push_back(later(solve.instant[i], block.front.jump[k].share * solve.step));
+            const Block::Jump& jump = block.front.jump[k];
+            jump_.push_back({jump.lane, double(jump.share), double(jump.heat)});
+            edge_.push_back(
+                later(solve.instant[i], double(block.front.jump[k].share) * solve.step));
         }
     }
     first_jump_.push_back(jump_.size());

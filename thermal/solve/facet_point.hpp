@@ -50,9 +50,9 @@ inline void note_excess(const SolveState& solve, FacetPoint& p, bool has_back) {
     p.excess.resize(solve.instant.size());
     p.back_excess.resize(has_back ? p.excess.size() : 0);
     for (std::size_t i = 0; i < p.excess.size(); ++i) {
-        const float* const row = solve.excess.data() + i * solve.facets;
-        p.excess[i] = row[p.facet];
-        if (has_back) p.back_excess[i] = row[back_of_point(solve, p)];
+        const PackedField::Row row = solve.excess.row(i);
+        p.excess[i] = row(p.facet);
+        if (has_back) p.back_excess[i] = row(back_of_point(solve, p));
     }
 }
 

@@ -62,11 +62,11 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
     const std::size_t states = kind.modes ? std::size_t(steady.size()) : kind.column.grid.size();
     block.start.assign(states * block.stride, 0.0);
     block.film = 0.0;
+    const std::vector<NaturalFilm> natural = natural_films(solve, block);
     for (std::size_t first = 0; first < count; first += lanes) {
         LayeredBatch batch;
         batch.resize(kind.column.grid.size(), std::min(lanes, count - first));
-        std::copy_n(block.natural.begin() + std::ptrdiff_t(first), batch.count,
-                    batch.natural.begin());
+        std::copy_n(natural.begin() + std::ptrdiff_t(first), batch.count, batch.natural.begin());
         block.film += settle(kind.column, mean, heat.data() + first, batch);
         for (std::size_t l = 0; l < batch.count; ++l) {
             const double t = batch.temperature[l];
@@ -75,12 +75,8 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
                     kind.modes ? steady[Eigen::Index(m)] * (t - kind.modes->reduced.reference)
                                : batch.state[m * lanes + l];
             }
-            for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-                solve.kelvin[i * solve.facets + block.facet[first + l]] = float(t);
-                if (!block.behind.empty()) {
-                    solve.kelvin[i * solve.facets + block.behind[first + l]] = float(t);
-                }
-            }
+            solve.kelvin.fill(block.facet[first + l], float(t));
+            if (!block.behind.empty()) solve.kelvin.fill(block.behind[first + l], float(t));
         }
     }
 }

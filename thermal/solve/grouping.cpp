@@ -75,8 +75,6 @@ std::vector<KindOf> group_by_material(SolveState& solve) {
         Block& block = solve.block[last->second];
         block.facet.push_back(f);
         if (sheet) block.behind.push_back(solve.other_side[f]);
-        block.natural.push_back(
-            facet_film(surface.convection, solve.input.facets.normal[f].z(), part));
     }
     for (Block& block : solve.block) tell_heights(solve, block);
     return kinds;

@@ -36,9 +36,9 @@ void record_block(SolveState& solve, const Block& block, const Kind& kind, std::
     const double absorptance = absorptance_at(solve, kind, i);
     for (std::size_t l = 0; l < block.facet.size(); ++l) {
         const std::size_t facet = block.facet[l];
-        const double sun = absorptance * solve.sunlight[i * solve.facets + facet];
+        const double sun = absorptance * double(solve.sunlight.at(i, facet));
         HeatBalance balance = heat_balance(
-            surfaces.air.at(l), block.natural[l], surface.emissivity,
+            surfaces.air.at(l), natural_film_of(solve, facet), surface.emissivity,
             {.absorbed_solar = sun, .internal = surface.internal_heat}, surfaces.temperature[l]);
         balance.longwave_in = surfaces.heat[l] - sun - surface.internal_heat;
         balance.conducted = surfaces.taken.empty() ? -balance.sum() : -surfaces.taken[l];
@@ -53,9 +53,9 @@ void record_back(const SolveState& solve, const Block& block, std::size_t l, std
     const BlockFace face = back_of(solve, block);
     const std::size_t back = block.behind[l];
     if (!face.wet) air.wetness = 0.0;
-    const double sun = face.absorptance * solve.sunlight[i * solve.facets + back];
-    HeatBalance balance = heat_balance(air, turned_over(block.natural[l]), face.emissivity,
-                                       {.absorbed_solar = sun}, kelvin);
+    const double sun = face.absorptance * double(solve.sunlight.at(i, back));
+    HeatBalance balance = heat_balance(air, turned_over(natural_film_of(solve, block.facet[l])),
+                                       face.emissivity, {.absorbed_solar = sun}, kelvin);
     balance.longwave_in = absorbed - sun;
     balance.conducted = -balance.sum();
     solve.record->put(i, back, balance);

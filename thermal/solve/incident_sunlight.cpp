@@ -105,12 +105,20 @@ SkyOverFacets sky_over(const SolveState& solve, std::size_t count, std::size_t f
             .share = solve.tiers.share};
 }
 
+/// Slots for values of sunlit instants.
+std::vector<int> sunlit_slots(const SolveState& solve) {
+    std::vector<int> slots(solve.sky.size(), -1);
+    int next = 0;
+    for (const std::size_t i : sunlit(sky_over(solve, solve.sky.size(), 0))) slots[i] = next++;
+    return slots;
+}
+
 /// [W m⁻²] The largest change of what a facet takes in, mean over an hour: what comes and goes
 /// within minutes warms little.
 ///
 /// - albedo: at instant i, n × i further on; null: as dry
 double most_of_an_hour(const SolveState& solve, std::size_t facet, const float* albedo,
-                       std::size_t n, const std::vector<float>& before) {
+                       std::size_t n, const PackedField& before) {
     const ThermalSurface& surface = material_of(solve, facet).thermal;
     const auto steps = std::max<std::size_t>(1, std::size_t(std::lround(3600.0 / solve.step)));
     double most = 0.0;
@@ -118,10 +126,9 @@ double most_of_an_hour(const SolveState& solve, std::size_t facet, const float* 
         const std::size_t to = std::min(solve.instant.size(), from + steps);
         double sum = 0.0;
         for (std::size_t i = from; i < to; ++i) {
-            const std::size_t at = i * solve.facets + facet;
             const double sent = albedo ? double(albedo[i * n]) : surface.albedo;
             sum += std::max(0.0, 1.0 - sent - surface.solar_transmittance) *
-                   double(std::abs(solve.sunlight[at] - before[at]));
+                   double(std::abs(solve.sunlight.at(i, facet) - before.at(i, facet)));
         }
         most = std::max(most, sum / double(steps));
     }
@@ -130,33 +137,75 @@ double most_of_an_hour(const SolveState& solve, std::size_t facet, const float* 
 
 }  // namespace
 
+void store_shares(SolveState& solve) {
+    const std::vector<float>& fraction = solve.input.sun.fraction;
+    const std::size_t facets = solve.facets;
+    solve.shares = fraction.empty() ? PackedField{} : PackedField(sunlit_slots(solve), facets);
+    if (solve.shares.empty()) return;
+    const std::vector<std::size_t> lit = sunlit(sky_over(solve, solve.sky.size(), 0));
+    for_each_index(
+        facets,
+        [&](std::size_t f) {
+            float values[PackedField::run];
+            for (std::size_t r = 0; r < solve.shares.runs(); ++r) {
+                for (std::size_t k = 0; k < solve.shares.width(r); ++k) {
+                    values[k] = fraction[lit[r * PackedField::run + k] * facets + f];
+                }
+                solve.shares.put(r, f, values);
+            }
+        },
+        4096);
+}
+
 void add_sunlight(SolveState& solve) {
-    solve.sunlight.resize(solve.instant.size() * solve.facets);
+    solve.sunlight = PackedField(sunlit_slots(solve), solve.facets);
     const FacetViews* const own = solve.input.sunlight_views;
     const bool changes = !solve.changing.facet.empty();
     const auto at = [&](const FacetOptics& optics, const ChangingAlbedo* changing,
-                        const SkyOverFacets& sky, std::span<const float> fraction,
-                        std::span<float> sunlight) {
+                        std::size_t count, std::size_t first, const auto& put) {
         incident_sunlight({.facets = solve.input.facets,
                            .views = own ? *own : solve.input.views,
                            .optics = optics,
                            .beside = solve.input.beside,
                            .exchange = solve.options.exchange,
                            .changing = changing},
-                          {.sky = sky, .fraction = fraction}, sunlight);
+                          {.sky = sky_over(solve, count, first),
+                           .fraction = {},
+                           .shares = &solve.shares,
+                           .first = first},
+                          put);
     };
-    const std::span<const float> fraction = solve.input.sun.fraction;
+    std::size_t run = 0;
+    const auto put_run = [&](std::span<const float> light, std::size_t width) {
+        for_each_index(
+            solve.facets,
+            [&](std::size_t f) { solve.sunlight.put(run, f, light.data() + f * width); }, 4096);
+        ++run;
+    };
     if (solve.input.measured_share.empty()) {
-        at(solve.optics, changes ? &solve.changing : nullptr, sky_over(solve, solve.sky.size(), 0),
-           fraction, solve.sunlight);
+        at(solve.optics, changes ? &solve.changing : nullptr, solve.sky.size(), 0,
+           [&](std::span<const std::size_t> instants, std::span<const float> light) {
+               put_run(light, instants.size());
+           });
         return;
     }
-    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const bool own_optics = changes || !std::isnan(solve.sky[i].albedo);
-        const FacetOptics of_instant = own_optics ? optics_at(solve, i) : FacetOptics{};
-        at(own_optics ? of_instant : solve.optics, nullptr, sky_over(solve, 1, i),
-           fraction.empty() ? fraction : fraction.subspan(i * solve.facets, solve.facets),
-           solve.row(solve.sunlight, i));
+    // Each instant has its own optics.
+    const std::vector<std::size_t> lit = sunlit(sky_over(solve, solve.sky.size(), 0));
+    std::vector<float> together;
+    for (std::size_t first = 0; first < lit.size(); first += PackedField::run) {
+        const std::size_t width = std::min(PackedField::run, lit.size() - first);
+        together.assign(solve.facets * width, 0.0f);
+        for (std::size_t k = 0; k < width; ++k) {
+            const std::size_t i = lit[first + k];
+            const bool own_optics = changes || !std::isnan(solve.sky[i].albedo);
+            const FacetOptics of_instant = own_optics ? optics_at(solve, i) : FacetOptics{};
+            at(own_optics ? of_instant : solve.optics, nullptr, 1, i,
+               [&](std::span<const std::size_t>, std::span<const float> light) {
+                   for (std::size_t f = 0; f < solve.facets; ++f)
+                       together[f * width + k] = light[f];
+               });
+        }
+        put_run(together, width);
     }
 }
 
@@ -196,7 +245,7 @@ double relight(SolveState& solve, const CoveredFacets& water) {
     const ChangingAlbedo found = under_water(solve, water);
     if (alike(found, solve.changing)) return 0.0;
     approach(found, solve);
-    const std::vector<float> before = std::move(solve.sunlight);
+    const PackedField before = std::move(solve.sunlight);
     add_sunlight(solve);
     solve.relit.resize(solve.facets, 0.0f);
     const std::size_t n = solve.changing.facet.size();
@@ -220,7 +269,7 @@ double relight(SolveState& solve, const CoveredFacets& water) {
 
 void find_jumps(SolveState& solve) {
     const SunExposure& sun = solve.input.sun;
-    if (sun.edge.empty()) return;
+    if (sun.edge.empty() || solve.shares.empty()) return;
     // Backs of sheets without air behind have none.
     std::vector<Block::Jumps*> jumps_of(solve.facets, nullptr);
     std::vector<std::size_t> lane_of(solve.facets);
@@ -246,15 +295,16 @@ void find_jumps(SolveState& solve) {
     for (const ShadowEdge& edge : sun.edge) {
         const std::size_t i = edge.step, f = edge.facet;
         if (!jumps_of[f]) continue;
-        const double before = sun.fraction[i * solve.facets + f];
-        const double after = sun.fraction[(i + 1) * solve.facets + f];
+        const double before = solve.shares.at(i, f), after = solve.shares.at(i + 1, f);
         const double whole = beam(i, f) + edge.share * (beam(i + 1, f) - beam(i, f));
-        jumps_of[f]->jump.push_back({lane_of[f], edge.share, (after - before) * whole});
+        jumps_of[f]->jump.push_back(
+            {std::uint32_t(lane_of[f]), edge.share, float((after - before) * whole)});
         ++jumps_of[f]->of[i + 1];
     }
     for (Block& block : solve.block) {
         for (Block::Jumps* const jumps : {&block.front, &block.back}) {
             for (std::size_t i = 1; i < jumps->of.size(); ++i) jumps->of[i] += jumps->of[i - 1];
+            jumps->jump.shrink_to_fit();
         }
     }
 }

@@ -5,6 +5,8 @@
 
 namespace diurna {
 
+/// Takes over the shares in the sun (SolveState::shares) from the input, which is not read again.
+void store_shares(SolveState& solve);
 /// Computes the solve's sunlight at every instant: sun, sky and reflections, with the snow and
 /// water on the facets (SolveState::changing).
 void add_sunlight(SolveState& solve);

@@ -6,9 +6,11 @@
 
 namespace diurna {
 
-/// Memory that the exchanges of a solve reuse: (facet, instant), 8 bytes a facet and instant.
+/// Memory that the exchanges of a solve reuse.
 struct ExchangeRoom {
-    std::vector<float> leaving{}, change{};
+    PackedField moved{};  // what arrives at facets, or leaves them
+    // of a run of instants, (facet, instant): the exchange computes one run after the other
+    std::vector<float> leaving{}, arrived{};
 };
 
 /// Whether any facet sees another one, or ground beyond the scene's edge.

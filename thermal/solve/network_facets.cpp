@@ -81,11 +81,11 @@ double NetworkFacets::moved(const Target& target) const {
     double most = 0.0;
     std::size_t k = 0;
     for (std::size_t i = 0; i < solve_.instant.size(); i += target.stride) {
-        const float* const row = solve_.excess.data() + i * solve_.facets;
+        const PackedField::Row row = solve_.excess.row(i);
         for (std::size_t n = 0; n < object.size(); ++n) {
-            most = std::max(most, std::abs(double(row[object.facet[n]] - target.excess[k++])));
+            most = std::max(most, std::abs(double(row(object.facet[n]) - target.excess[k++])));
             if (object.back[n] == no_number) continue;
-            most = std::max(most, std::abs(double(row[object.back[n]] - target.excess[k++])));
+            most = std::max(most, std::abs(double(row(object.back[n]) - target.excess[k++])));
         }
     }
     return most;
@@ -110,7 +110,7 @@ void NetworkFacets::guess(const Target& target, NetworkSurroundings& around,
     for (std::size_t n = 0; n < object.size(); ++n) {
         double mean = 0.0;
         for (std::size_t i = 0; i < solve_.instant.size(); ++i) {
-            mean += double(solve_.kelvin[i * solve_.facets + object.facet[n]]) / instants;
+            mean += double(solve_.kelvin.at(i, object.facet[n])) / instants;
         }
         const NetworkSystem& system = stepper.system();
         for (std::size_t k = system.node_of(n); k <= system.last_of(n); ++k) {
@@ -221,19 +221,21 @@ void NetworkFacets::put(SolveState& solve) const {
         if (target.kelvin.empty()) continue;
         const NetworkObject& object = *target.object;
         const std::size_t size = object.size();
-        for (std::size_t i = 0; i < solve.instant.size(); i += target.level) {
-            float* const row = solve.kelvin.data() + i * solve.facets;
-            const std::size_t before = i / target.stride,
-                              after = (i + target.stride - 1) / target.stride;
-            const float share = float(i % target.stride) / float(target.stride);
-            const auto at = [&](const std::vector<float>& of, std::size_t n) {
+        std::vector<float> row(solve.kelvin.slots());
+        const auto put = [&](const std::vector<float>& of, std::size_t n, std::size_t facet) {
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                const std::size_t i = k * target.level;
+                const std::size_t before = i / target.stride,
+                                  after = (i + target.stride - 1) / target.stride;
+                const float share = float(i % target.stride) / float(target.stride);
                 const float then = of[before * size + n];
-                return then + share * (of[after * size + n] - then);
-            };
-            for (std::size_t n = 0; n < size; ++n) {
-                row[object.facet[n]] = at(target.kelvin, n);
-                if (object.back[n] != no_number) row[object.back[n]] = at(target.back_kelvin, n);
+                row[k] = then + share * (of[after * size + n] - then);
             }
+            solve.kelvin.put(facet, row.data());
+        };
+        for (std::size_t n = 0; n < size; ++n) {
+            put(target.kelvin, n, object.facet[n]);
+            if (object.back[n] != no_number) put(target.back_kelvin, n, object.back[n]);
         }
     }
 }

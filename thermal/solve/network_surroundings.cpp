@@ -139,7 +139,7 @@ void NetworkSurroundings::find_panes() {
             for (std::size_t k = 0; k < sunlit.pane.size(); ++k) {
                 const std::uint32_t n = sunlit.pane[k];
                 sum += sunlit.transmittance[k] * object_.network.facet[n].area *
-                       double(solve_.sunlight[i * solve_.facets + object_.facet[n]]);
+                       double(solve_.sunlight.at(i, object_.facet[n]));
             }
             watts.push_back(sum);
             if (i < solve_.steps()) mean += sum / double(solve_.steps());
@@ -170,7 +170,7 @@ void NetworkSurroundings::find_jumps() {
             const Block::Jumps& jumps = inner ? block.back : block.front;
             for (std::size_t i = 0; i + 1 < jumps.of.size(); ++i) {
                 for (std::size_t k = jumps.of[i]; k < jumps.of[i + 1]; ++k) {
-                    const HeatJump& jump = jumps.jump[k];
+                    const Block::Jump& jump = jumps.jump[k];
                     const std::uint32_t face = face_of[block.facet[jump.lane]];
                     if (face == no_number ||
                         (inner && object_.inner[face] != NetworkObject::Inner::back)) {
@@ -191,14 +191,14 @@ double NetworkSurroundings::sun_on(const Group& group, std::size_t l, std::size_
     if (group.in_air) return 0.0;
     const double absorptance =
         group.inner ? group.absorptance : absorptance_at(solve_, level_.kind[group.kind], i);
-    return absorptance * solve_.sunlight[i * solve_.facets + group.facet[l]];
+    return absorptance * double(solve_.sunlight.at(i, group.facet[l]));
 }
 
 double NetworkSurroundings::longwave_on(const Group& group, std::size_t l, std::size_t i) const {
     if (group.in_air) return absorbed_of_air(group.air[i], group.emissivity);
     const std::size_t f = group.facet[l];
     double longwave = solve_.at_facet(&SkyState::longwave_down, i, f);
-    if (!solve_.excess.empty()) longwave += solve_.excess[i * solve_.facets + f];
+    if (!solve_.excess.empty()) longwave += double(solve_.excess.at(i, f));
     if (!solve_.tilt.empty()) {
         longwave += solve_.tilt[f] * solve_.at_facet(&SkyState::tilted_longwave, i, f);
     }
@@ -216,11 +216,11 @@ void NetworkSurroundings::light_at(std::size_t i, std::vector<double> absorbed[2
 
 void NetworkSurroundings::excess(std::size_t i, std::vector<float>& all) const {
     if (solve_.excess.empty()) return;
-    const float* const row = solve_.excess.data() + instant(i) * solve_.facets;
+    const PackedField::Row row = solve_.excess.row(instant(i));
     for (std::size_t n = 0; n < object_.size(); ++n) {
-        all.push_back(row[object_.facet[n]] + float(own_.on(n, false)));
+        all.push_back(row(object_.facet[n]) + float(own_.on(n, false)));
         if (object_.back[n] == no_number) continue;
-        all.push_back(row[object_.back[n]] + float(own_.on(n, true)));
+        all.push_back(row(object_.back[n]) + float(own_.on(n, true)));
     }
 }
 

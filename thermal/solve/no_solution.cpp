@@ -22,13 +22,19 @@ std::string reported(const SolveState& solve, std::size_t facet, Instant when,
 /// Of the first temperature for which `good` does not hold; "" where it holds for all.
 template <class Good>
 std::string first_bad(const SolveState& solve, const Good& good) {
-    const auto bad = std::find_if_not(solve.kelvin.begin(), solve.kelvin.end(), good);
-    if (bad == solve.kelvin.end()) return "";
-    const auto at = static_cast<std::size_t>(bad - solve.kelvin.begin());
-    const std::string found =
-        std::isfinite(*bad) ? fmt::format("the last value is {:g} K", *bad) : "there is no value";
-    return reported(solve, at % solve.facets, solve.instant[at / solve.facets],
-                    "the balance has no solution from 1 to 5000 K; " + found);
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        const PackedField::Row row = solve.kelvin.row(i);
+        for (std::size_t f = 0; f < solve.facets; ++f) {
+            const float kelvin = row(f);
+            if (good(kelvin)) continue;
+            const std::string found = std::isfinite(kelvin)
+                                          ? fmt::format("the last value is {:g} K", kelvin)
+                                          : "there is no value";
+            return reported(solve, f, solve.instant[i],
+                            "the balance has no solution from 1 to 5000 K; " + found);
+        }
+    }
+    return "";
 }
 
 bool is_within(float kelvin) {
@@ -44,6 +50,13 @@ void check_mean_balance(const SolveState& solve) {
 }
 
 void check_numbers(const SolveState& solve) {
+    // What is not finite makes its whole run so.
+    bool finite = true;
+    for (std::size_t i = 0; i < solve.instant.size(); i += PackedField::run) {
+        const PackedField::Row row = solve.kelvin.row(i);
+        for (std::size_t f = 0; f < solve.facets; ++f) finite = finite && std::isfinite(row(f));
+    }
+    if (finite) return;
     const std::string bad = first_bad(solve, [](float kelvin) { return std::isfinite(kelvin); });
     if (!bad.empty()) throw std::runtime_error(failed + bad);
 }

@@ -45,12 +45,12 @@ void OwnLongwave::begin() {
 void OwnLongwave::at(std::size_t instant, const std::vector<double>& outer,
                      const std::vector<double>& inner) {
     if (arrives_.empty()) return;
-    const float* const known = solve_.kelvin.data() + instant * solve_.facets;
+    const PackedField::Row known = solve_.kelvin.row(instant);
     const auto leave = [&](std::size_t k) {
         const double now = (k < outer.size() ? outer : inner)[end_of_[k]];
         const double emissivity = double(solve_.optics.emissivity[face_[k]]);
         leaves_[k] =
-            emissivity * stefan_boltzmann * (power4(now) - power4(double(known[face_[k]]))) +
+            emissivity * stefan_boltzmann * (power4(now) - power4(double(known(face_[k])))) +
             (1.0 - emissivity) * arrives_[k];
     };
     const auto arrive = [&](std::size_t k) {

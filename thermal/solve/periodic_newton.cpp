@@ -38,8 +38,8 @@ void linearise(const SolveState& solve, const Level& level, Block& block) {
     day.state << one, one;
     run_linearised(solve, level, block, {}, day);
     PeriodMap& map = block.period.emplace();
-    map.follow_mean = day.warmer.leftCols(n);
-    map.follow_steeper = day.warmer.rightCols(n);
+    map.follow_mean = day.warmer.leftCols(n).cast<float>();
+    map.follow_steeper = day.warmer.rightCols(n).cast<float>();
     // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
     map.mean.setThreshold(1e-9);
     map.mean.compute(one - day.state.leftCols(n));
@@ -61,26 +61,27 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
     block.move.resize(block.start.size());
     block.planned.resize(block.start.size());
     BlockStates start(block.start.data(), n, count, stride);
-    BlockStates done(block.move.data(), n, count, stride);
-    BlockStates planned(block.planned.data(), n, count, stride);
-    const MatrixXd change = BlockStates(block.change.data(), n, count, stride);
+    BlockChanges done(block.move.data(), n, count, stride);
+    BlockChanges planned(block.planned.data(), n, count, stride);
+    const MatrixXd change = BlockChanges(block.change.data(), n, count, stride).cast<double>();
     const Eigen::RowVectorXd steep = relative_slopes(block);
     const MatrixXd plan = close_period(block, steep, change);
     MatrixXd move = plan;
     for (Eigen::Index l = 0; update && l < count; ++l) {
-        // Of the move `done` the matrix explains `explained`.
-        const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
-        const double along = done.col(l).dot(explained);
+        // Of the move `made` the matrix explains `explained`.
+        const Eigen::VectorXd made = done.col(l).cast<double>();
+        const Eigen::VectorXd explained = planned.col(l).cast<double>() - plan.col(l);
+        const double along = made.dot(explained);
         // Not `<`: a facet that has arrived did not move, and 0 < 0 would let 0 / 0 through.
-        if (!(along > 0.3 * done.col(l).squaredNorm())) continue;
-        move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
+        if (!(along > 0.3 * made.squaredNorm())) continue;
+        move.col(l) += (made - explained) * (made.dot(plan.col(l)) / along);
     }
     start += move;
-    done = move;
-    planned = plan;
+    done = move.cast<float>();
+    planned = plan.cast<float>();
     block.largest_move =
         (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
-    warm(solve, level, block, follow_start(block, steep, move));
+    warm(solve, block, follow_start(block, steep, move));
 }
 
 }  // namespace
@@ -94,8 +95,10 @@ MatrixXd close_period(const Block& block, const Eigen::RowVectorXd& steep, const
 
 MatrixXd follow_start(const Block& block, const Eigen::RowVectorXd& steep, const MatrixXd& move) {
     const PeriodMap& map = *block.period;
-    return map.follow_mean * move +
-           (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(steep).asDiagonal());
+    const MatrixXd further = move * way_to_steeper(steep).asDiagonal();
+    const Eigen::MatrixXf warmer = map.follow_mean * (move - further).cast<float>() +
+                                   map.follow_steeper * further.cast<float>();
+    return warmer.cast<double>();
 }
 
 void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& blocks) {

@@ -124,11 +124,10 @@ bool PointFacets::rests(const FacetPoint& p) const {
     }
     if (solve_.excess.empty()) return true;
     for (std::size_t i = 0; i < p.excess.size(); ++i) {
-        if (std::abs(solve_.excess[i * solve_.facets + p.facet] - p.excess[i]) > counts)
-            return false;
+        if (std::abs(solve_.excess.at(i, p.facet) - p.excess[i]) > counts) return false;
     }
     for (std::size_t i = 0; i < p.back_excess.size(); ++i) {
-        const float now = solve_.excess[i * solve_.facets + back_of_point(solve_, p)];
+        const float now = solve_.excess.at(i, back_of_point(solve_, p));
         if (std::abs(now - p.back_excess[i]) > counts) return false;
     }
     return true;
@@ -138,7 +137,7 @@ double PointFacets::mean_kelvin(std::size_t facet) const {
     double mean = 0.0;
     const std::size_t instants = solve_.instant.size();
     for (std::size_t i = 0; i < instants; ++i) {
-        mean += solve_.kelvin[i * solve_.facets + facet] / double(instants);
+        mean += double(solve_.kelvin.at(i, facet)) / double(instants);
     }
     return mean;
 }
@@ -333,11 +332,9 @@ bool PointFacets::by_itself(const Level& level, const FacetPoint& p) const {
 
 void PointFacets::put(SolveState& solve) const {
     for (const FacetPoint& p : point_) {
-        for (std::size_t i = 0; i < p.kelvin.size(); ++i) {
-            solve.kelvin[i * solve.facets + p.facet] = p.kelvin[i];
-        }
-        for (std::size_t i = 0; i < p.back_kelvin.size(); ++i) {
-            solve.kelvin[i * solve.facets + back_of_point(solve_, p)] = p.back_kelvin[i];
+        if (!p.kelvin.empty()) solve.kelvin.put(p.facet, p.kelvin.data());
+        if (!p.back_kelvin.empty()) {
+            solve.kelvin.put(back_of_point(solve_, p), p.back_kelvin.data());
         }
     }
 }

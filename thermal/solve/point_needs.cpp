@@ -67,7 +67,7 @@ PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, s
     if (freezes(surface)) {
         bool cold = below && below->temperature < zero_celsius;
         for (std::size_t i = 0; !cold && i < solve_.instant.size(); ++i) {
-            cold = solve_.kelvin[i * solve_.facets + f] < zero_celsius;
+            cold = double(solve_.kelvin.at(i, f)) < zero_celsius;
         }
         if (cold) return {.taken = true};
     }

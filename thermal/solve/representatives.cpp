@@ -55,6 +55,8 @@ ViewFactors chosen(const ViewFactors& whole, const Representatives& r) {
         }
         part.row.push_back(static_cast<std::uint32_t>(part.facet.size()));
     }
+    part.facet.shrink_to_fit();
+    part.factor.shrink_to_fit();
     return part;
 }
 
@@ -212,34 +214,34 @@ SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r,
                    .sunlight_views = whole.sunlight_views != nullptr ? &sunlight_views_ : nullptr});
 }
 
-SunExposure solved_part(const SunExposure& whole, const Representatives& r,
-                        const SunExposure& beside) {
-    SunExposure part{.instant = whole.instant, .fraction = {}};
-    const std::size_t instants = whole.instant.size(), solved = r.solved.size();
+SunExposure with_beside(SunExposure solved, std::size_t facets, const SunExposure& beside) {
+    const std::size_t instants = solved.instant.size();
     const std::size_t patches = beside.fraction.size() / std::max<std::size_t>(1, instants);
-    if (!whole.fraction.empty()) {
-        part.fraction.reserve(instants * (solved + patches));
-        for (std::size_t i = 0; i < instants; ++i) {
-            const float* const row = whole.fraction.data() + i * r.place.size();
-            for (const std::uint32_t facet : r.solved) part.fraction.push_back(row[facet]);
-            const auto patch = beside.fraction.begin() + static_cast<std::ptrdiff_t>(i * patches);
-            part.fraction.insert(part.fraction.end(), patch,
-                                 patch + static_cast<std::ptrdiff_t>(patches));
+    if (!solved.fraction.empty() && patches > 0) {
+        // Rows grow from the last on, in place.
+        const std::size_t all = facets + patches;
+        solved.fraction.reserve(instants * all);
+        solved.fraction.resize(instants * all);
+        const auto row = [](std::vector<float>& of, std::size_t n) {
+            return of.begin() + std::ptrdiff_t(n);
+        };
+        for (std::size_t i = instants; i-- > 0;) {
+            std::vector<float>& of = solved.fraction;
+            std::copy_backward(row(of, i * facets), row(of, (i + 1) * facets),
+                               row(of, i * all + facets));
+            const auto patch = beside.fraction.begin() + std::ptrdiff_t(i * patches);
+            std::copy_n(patch, patches, row(of, i * all + facets));
         }
     }
-    for (const ShadowEdge& edge : whole.edge) {
-        if (r.of(edge.facet) != edge.facet) continue;
-        part.edge.push_back({edge.step, r.place[edge.facet], edge.share});
-    }
-    if (beside.edge.empty()) return part;
+    if (beside.edge.empty()) return solved;
     for (const ShadowEdge& edge : beside.edge) {
-        part.edge.push_back(
-            {edge.step, static_cast<std::uint32_t>(solved + edge.facet), edge.share});
+        solved.edge.push_back(
+            {edge.step, static_cast<std::uint32_t>(facets + edge.facet), edge.share});
     }
-    std::stable_sort(part.edge.begin(), part.edge.end(), [](const auto& a, const auto& b) {
+    std::stable_sort(solved.edge.begin(), solved.edge.end(), [](const auto& a, const auto& b) {
         return std::pair(a.step, a.facet) < std::pair(b.step, b.facet);
     });
-    return part;
+    return solved;
 }
 
 void spread(const Representatives& r, SpanResult& result, std::size_t beside) {

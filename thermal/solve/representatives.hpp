@@ -37,8 +37,8 @@ struct BesideFacets {
 
 /// The same scene with only the solved facets, and patches after them: each keeps its sun, air and
 /// rain, and its view factors, with every facet replaced by its representative. All facets of
-/// targets must be solved. Refers to the whole input, which must outlive it; its `sun`, `from` and
-/// `guess` are not used.
+/// targets must be solved. Refers to the whole input, which must outlive it; its `sun` and `from`
+/// are not used.
 class SolvedPart {
  public:
     SolvedPart(const SolveInput& whole, const Representatives& representatives,
@@ -54,9 +54,8 @@ class SolvedPart {
     std::unique_ptr<const SolveInput> input_;
 };
 
-/// The sun exposure of solved facets, and of patches after them.
-SunExposure solved_part(const SunExposure& whole, const Representatives& representatives,
-                        const SunExposure& beside = {});
+/// The sun exposure of so many solved facets, and of patches after them.
+SunExposure with_beside(SunExposure solved, std::size_t facets, const SunExposure& beside);
 
 /// Copies the solved results to all facets, without the last `beside` of the solved ones. `end` is
 /// the state of the solved ones and these.

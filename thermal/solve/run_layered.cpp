@@ -103,7 +103,8 @@ class LayeredRun {
           kind_(level.kind[block.material]),
           count_(block.facet.size()),
           substep_(level_step(solve, level) / kind_.column.substeps),
-          heat_(solve, level, block, count_) {
+          heat_(solve, level, block, count_),
+          kelvin_(solve, block) {
         if (!block.behind.empty()) {
             behind_.emplace(solve, level, block, count_, true);
             batch_.behind = {behind_at_stage_[0], behind_at_stage_[1]};
@@ -111,7 +112,8 @@ class LayeredRun {
         }
         batch_.resize(kind_.column.grid.size(), count_);
         batch_.state = block.start;
-        std::copy(block.natural.begin(), block.natural.end(), batch_.natural.begin());
+        const std::vector<NaturalFilm> natural = natural_films(solve, block);
+        std::copy(natural.begin(), natural.end(), batch_.natural.begin());
         for (std::size_t l = 0; l < count_; ++l) {
             batch_.temperature[l] = batch_.state[l] + kind_.column.reference;
         }
@@ -120,7 +122,7 @@ class LayeredRun {
     void run() {
         block_.slope.assign(kind_.times, 0.0);
         block_.record = {};
-        put_temperatures(0);
+        put_temperatures();
         record_block(solve_, block_, kind_, 0,
                      {kind_.middle(block_, 0).air, heat_.at_end, batch_.temperature.data()});
         std::size_t stage = 0;
@@ -137,7 +139,7 @@ class LayeredRun {
             }
             heat_.end_step();
             if (behind_) behind_->end_step();
-            put_temperatures(i);
+            put_temperatures();
             record_block(
                 solve_, block_, kind_, i,
                 {air_[1], at_stage_[1], batch_.temperature.data(), {batch_.taken.data(), count_}});
@@ -149,12 +151,12 @@ class LayeredRun {
     }
 
  private:
-    void put_temperatures(std::size_t i) {
+    void put_temperatures() {
         const std::size_t last = kind_.column.grid.size() - 1;
         for (std::size_t l = 0; l < count_; ++l) {
             back_kelvin_[l] = batch_.state[last * lanes + l] + kind_.column.reference;
         }
-        put_kelvin(solve_, block_, i, batch_.temperature.data(), back_kelvin_);
+        kelvin_.put(batch_.temperature.data(), back_kelvin_);
     }
     void begin_substep(int s, std::size_t stage) {
         substep_number_ = s;
@@ -194,7 +196,7 @@ class LayeredRun {
     /// Lanes that an edge passes in this substep go it by themselves; those it has passed before
     /// get what it brought.
     void pass_edges() {
-        for (const HeatJump& edge : heat_.edges()) {
+        for (const Block::Jump& edge : heat_.edges()) {
             const std::size_t l = edge.lane;
             const double within = edge.share * kind_.column.substeps - substep_number_;
             if (within >= 1.0) continue;
@@ -234,8 +236,9 @@ class LayeredRun {
         for (std::size_t i = 0; i < kind_.column.grid.size(); ++i) {
             for (std::size_t l = 0; l < count_; ++l) {
                 const std::size_t at = i * lanes + l;
-                block_.change[at] = batch_.state[at] - block_.start[at];
-                block_.residual = std::max(block_.residual, std::abs(block_.change[at]));
+                const double change = batch_.state[at] - block_.start[at];
+                block_.change[at] = float(change);
+                block_.residual = std::max(block_.residual, std::abs(change));
             }
         }
     }
@@ -256,6 +259,7 @@ class LayeredRun {
     double sky_[2] = {}, at_stage_[2][lanes];                // [W m⁻²]
     double behind_sky_[2] = {}, behind_at_stage_[2][lanes];  // of backs
     double back_kelvin_[lanes] = {};
+    KelvinRecord kelvin_;
     std::vector<Outlier> outliers_;
 };
 

@@ -23,11 +23,12 @@ BlockStates block_states(std::vector<double>& states, std::size_t modes, const B
 }
 
 /// The block's start in the modes of the closed column.
-ModeBatch batch_of(const ModeColumn& modes, Block& block) {
+ModeBatch batch_of(const SolveState& solve, const ModeColumn& modes, Block& block) {
     const auto n = std::size_t(modes.reduced.modes());
     ModeBatch batch;
     batch.resize(n, block.facet.size());
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    const std::vector<NaturalFilm> natural = natural_films(solve, block);
+    std::copy(natural.begin(), natural.end(), batch.natural.begin());
     const BlockStates start = block_states(block.start, n, block);
     for (std::size_t u = 0; u < batch.units(); ++u) {
         BlockStates state = unit_states(batch, n, u);
@@ -41,13 +42,15 @@ ModeBatch batch_of(const ModeColumn& modes, Block& block) {
 void compare_with_start(const ModeColumn& modes, ModeBatch& batch, Block& block) {
     const auto n = std::size_t(modes.reduced.modes());
     block.change.resize(block.start.size());
-    BlockStates change = block_states(block.change, n, block);
+    Eigen::MatrixXd change(Eigen::Index(n), Eigen::Index(block.facet.size()));
     for (std::size_t u = 0; u < batch.units(); ++u) {
         const BlockStates state = unit_states(batch, n, u);
         change.middleCols(Eigen::Index(u * lanes), state.cols()).noalias() =
             modes.closed.turn * state;
     }
     change -= block_states(block.start, n, block);
+    BlockChanges(block.change.data(), change.rows(), change.cols(),
+                 Eigen::OuterStride<>(Eigen::Index(block.stride))) = change.cast<float>();
     block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
 }
 
@@ -72,14 +75,15 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const ModeStep& step = kind.modes->step;
     const double emissivity = kind.column.surface.emissivity;
-    ModeBatch batch = batch_of(*kind.modes, block);
+    ModeBatch batch = batch_of(solve, *kind.modes, block);
     block.slope.assign(kind.times, 0.0);
     block.steepness.assign(block.stride, 0.0);
     block.record = {};
 
     BlockHeat heat(solve, level, block, batch.units() * lanes);
     begin_modes(step, kind.over(block, 0), heat.at_end, emissivity, batch);
-    put_kelvin(solve, block, 0, batch.temperature.data());
+    KelvinRecord kelvin(solve, block);
+    kelvin.put(batch.temperature.data());
     record_modes(solve, kind, batch, block, 0,
                  {kind.over(block, 0), heat.at_end, batch.temperature.data()});
     std::size_t at = 0;
@@ -99,7 +103,7 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
             for (std::size_t l = 0; l < batch.count; ++l) block.steepness[l] += batch.slope[l];
         }
         heat.end_step();
-        put_kelvin(solve, block, i, batch.temperature.data());
+        kelvin.put(batch.temperature.data());
         record_modes(solve, kind, batch, block, i,
                      {kind.over(block, at), heat.at_end, batch.temperature.data()});
     }

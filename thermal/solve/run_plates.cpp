@@ -39,7 +39,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     const auto n = Eigen::Index(step.modes()), facets = Eigen::Index(count);
     PlateBatch batch;
     batch.resize(step.modes(), count);
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    const std::vector<NaturalFilm> natural = natural_films(solve, block);
+    std::copy(natural.begin(), natural.end(), batch.natural.begin());
     const BlockStates start(block.start.data(), n, facets, stride);
     BlockStates state(batch.state.data(), n, facets, stride);
     state.noalias() = step.into * start;
@@ -58,7 +59,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     }
     StageForcing now = kind.middle(block, 0);
     begin_plates(step, surface, now.air, heat.at_end, batch);
-    put_kelvin(solve, block, 0, batch.temperature[0].data(), batch.temperature[1].data());
+    KelvinRecord kelvin(solve, block);
+    kelvin.put(batch.temperature[0].data(), batch.temperature[1].data());
     record_plates(solve, kind, batch, block, 0,
                   {now.air, heat.at_end, batch.temperature[0].data()});
     std::size_t at = 0;
@@ -89,17 +91,16 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
         }
         heat.end_step();
         if (behind) behind->end_step();
-        put_kelvin(solve, block, i, batch.temperature[0].data(), batch.temperature[1].data());
+        kelvin.put(batch.temperature[0].data(), batch.temperature[1].data());
         record_plates(solve, kind, batch, block, i,
                       {now.air, heat.at_end, batch.temperature[0].data()});
     }
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.back_slope[0] = block.back_slope[at];
     block.record = record;
-    block.change.assign(block.start.size(), 0.0);
-    BlockStates change(block.change.data(), n, facets, stride);
-    change.noalias() = step.turn * state;
-    change -= start;
+    block.change.assign(block.start.size(), 0.0f);
+    const Eigen::MatrixXd change = step.turn * state - start;
+    BlockChanges(block.change.data(), n, facets, stride) = change.cast<float>();
     block.residual = change.cwiseAbs().maxCoeff();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,14 @@ struct SolveOptions {
     double duration = 86400.0;   // [s]
     double step = 600.0;         // [s]; all steps are equally long and end with the span
     double keep_every = 3600.0;  // [s] between stored instants, rounded to whole steps
-    bool periodic = true;        // the span repeats; else it starts from SolveInput::from,
-                                 // or from its mean balance
-    bool goes_on = false;        // other spans follow: slower modes are retained
-    int max_passes = 12;         // over the span; twice as many while they converge
-    double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
-    double settled = 0.01;       // [K] final effect of neighbours' changes; 0.05 with water
+    /// Stored instants instead, ascending (their numbers).
+    std::optional<std::vector<std::size_t>> keep_at{};
+    bool periodic = true;     // the span repeats; else it starts from SolveInput::from,
+                              // or from its mean balance
+    bool goes_on = false;     // other spans follow: slower modes are retained
+    int max_passes = 12;      // over the span; twice as many while they converge
+    double tolerance = 1e-4;  // [K] |P(T) − T| of every node after a period
+    double settled = 0.01;    // [K] final effect of neighbours' changes; 0.05 with water
     Method method = Method::modes;
     double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
     GridOptions grid{};         // of layered columns
@@ -97,9 +100,6 @@ struct SolveInput {
     std::vector<double> measured_share{};
     const FacetViews* sunlight_views = nullptr;  // if panes transmit light unlike heat
     const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
-    /// With `from`: temperatures at the same number of instants as a first guess for the span, such
-    /// as the previous day's; null: the start's at all instants.
-    const TemperatureField* guess = nullptr;
 };
 
 /// SolveInput::measured_share of a material.

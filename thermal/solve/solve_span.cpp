@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/repeated_day.hpp"
@@ -27,7 +28,7 @@ struct Walk {
     const SpanOptions& options;
     SpanResult result;
     HeatState state;
-    TemperatureField day_before{};  // every step of the last piece
+    PackedField day_before{};  // every step of the last piece
     int days = 0, all_days = 1;
 
     const SpanStage& stage_at(Instant when) const {
@@ -93,15 +94,17 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.seconds += one.seconds;
 }
 
-/// Keeps the wanted instants of a solve's steps: of [start, end), and the end if it is the last. An
-/// instant at which a stage begins early is the end of the steps before.
-void keep(const TemperatureField& steps, bool last, Walk& walk) {
+/// Keeps the wanted instants of a solve from `from` to `to`, between the steps around them: of
+/// [start, end), and the end if it is the last. An instant at which a stage begins early is the end
+/// of the steps before.
+void keep(const TemperatureField& steps, Instant from, Instant to, bool last, Walk& walk) {
     const std::vector<Instant>& wanted = walk.options.wanted;
     TemperatureField& kept = walk.result.temperature;
-    const auto begin = std::lower_bound(wanted.begin(), wanted.end(), steps.instant.front());
+    kept.kelvin.reserve(wanted.size() * steps.facets);
+    const auto begin = std::lower_bound(wanted.begin(), wanted.end(), from);
     for (auto when = begin; when != wanted.end(); ++when) {
-        if (*when > steps.instant.back()) break;
-        const bool starts = *when == steps.instant.front(), ends = *when == steps.instant.back();
+        if (*when > to) break;
+        const bool starts = *when == from, ends = *when == to;
         if (starts && *when > walk.options.start && walk.shows_before(*when)) continue;
         if (ends && !last && !walk.shows_before(*when)) break;
         const std::vector<float> row = steps.interpolate(*when);
@@ -151,15 +154,15 @@ std::vector<std::size_t> steps_around(std::span<const Instant> wanted,
 /// The input of a piece: its own sun, weather (null: the span's) and start, all else the span's. A
 /// member that is not named here is no silent loss: the list has to match.
 SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weather* own_weather,
-                    const HeatState* from, const TemperatureField* guess) {
+                    const HeatState* from) {
     const auto& [facets, views, span_sun, materials, weather, site, clock, elevation, by_height,
                  height, part, beside, network, open_above, clear_sky, measured_share,
-                 sunlight_views, span_from, span_guess] = span;
+                 sunlight_views, span_from] = span;
     return {
         facets,         views,          sun,       materials,  own_weather ? *own_weather : weather,
         site,           clock,          elevation, by_height,  height,
         part,           beside,         network,   open_above, clear_sky,
-        measured_share, sunlight_views, from,      guess};
+        measured_share, sunlight_views, from};
 }
 
 /// Of a similar solve the same piece, with as many facets; null: none.
@@ -175,15 +178,26 @@ const SpanCourse::Piece* like_piece(const Piece& piece, const SpanStage& stage, 
 }
 
 /// Temperatures at every one of some steps.
-TemperatureField at_steps(const TemperatureField& field, const std::vector<Instant>& steps) {
-    if (field.instant == steps) return field;
-    TemperatureField there{.instant = steps, .facets = field.facets, .kelvin = {}};
-    there.kelvin.reserve(steps.size() * field.facets);
-    for (const Instant when : steps) {
-        const std::vector<float> row = field.interpolate(when);
-        there.kelvin.insert(there.kelvin.end(), row.begin(), row.end());
+PackedField at_steps(const TemperatureField& field, const std::vector<Instant>& steps) {
+    PackedField there = PackedField::of_steps(steps.size(), 1, field.facets);
+    std::vector<float> values(PackedField::run * field.facets);
+    for (std::size_t r = 0; r < there.runs(); ++r) {
+        const std::size_t width = there.width(r);
+        for (std::size_t k = 0; k < width; ++k) {
+            const std::vector<float> row = field.interpolate(steps[r * PackedField::run + k]);
+            for (std::size_t f = 0; f < field.facets; ++f) values[f * width + k] = row[f];
+        }
+        for (std::size_t f = 0; f < field.facets; ++f) there.put(r, f, &values[f * width]);
     }
     return there;
+}
+
+/// The steps whose temperatures a piece stores: those around its wanted instants.
+std::vector<std::size_t> stored_steps(const Piece& piece, const std::vector<Instant>& wanted,
+                                      const std::vector<Instant>& steps) {
+    if (!piece.keeping) return {};
+    const auto begin = std::lower_bound(wanted.begin(), wanted.end(), steps.front());
+    return steps_around({begin, std::upper_bound(begin, wanted.end(), steps.back())}, steps);
 }
 
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.
@@ -191,7 +205,6 @@ void solve_piece(const Piece& piece, Walk& walk) {
     SolveOptions options = walk.options.day;
     options.start = piece.from;
     options.duration = seconds_between(piece.from, piece.to);
-    options.keep_every = 0.0;  // every step
     options.periodic = piece.periodic;
     options.goes_on = piece.goes_on || walk.options.goes_on;
     // Without the day before to guess by, the first pass meets neighbours that rest; another makes
@@ -209,30 +222,37 @@ void solve_piece(const Piece& piece, Walk& walk) {
     const std::vector<Instant> steps = step_instants(options);
     const std::span<const Instant> reported = reported_by(piece, walk);
     options.heat_at = steps_around(reported, steps);
-    const SunExposure sun = stage.exposure(steps);
+    if (walk.options.keep_course) {
+        options.keep_every = 0.0;  // every step
+    } else {
+        options.keep_at = stored_steps(piece, walk.options.wanted, steps);
+    }
+    SunExposure sun = stage.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
     const HeatState* from = begun ? &walk.state : nullptr;
-    const TemperatureField* guess = begun && walk.days > 1 && !changed ? &walk.day_before : nullptr;
-    TemperatureField similar;
-    if (like) {
-        similar = at_steps(like->steps, steps);
-        if (piece.periodic) from = &like->end;
-        if (from) guess = &similar;
-    }
-    SolveResult result = solve(of_piece(stage.input, sun, piece.weather, from, guess), options);
+    PackedField guess = std::exchange(walk.day_before, {});
+    if (!begun || walk.days <= 1 || changed) guess = {};
+    if (like && piece.periodic) from = &like->end;
+    if (like && from) guess = at_steps(like->steps, steps);
+    SolveResult result = solve(of_piece(stage.input, sun, piece.weather, from), options,
+                               {.sun = &sun,
+                                .guess = std::move(guess),
+                                .from = from == &walk.state ? &walk.state : nullptr});
     add_report(result.report, walk.result.report);
     if (piece.periodic) {
         walk.result.repeated = result.report.converged;
         walk.result.repeated_error = result.report.estimated_error;
     }
     for (const Instant when : reported) walk.result.heat.add_between(result.heat, when);
-    if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
+    if (piece.keeping) {
+        keep(result.temperature, steps.front(), steps.back(), piece.to >= walk.options.end, walk);
+    }
     if (walk.options.keep_course) {
         walk.result.course.piece.push_back(
-            {piece.from, piece.to, piece.periodic, result.end, result.temperature});
+            {piece.from, piece.to, piece.periodic, result.end, std::move(result.temperature)});
     }
     walk.state = std::move(result.end);
-    walk.day_before = std::move(result.temperature);
+    walk.day_before = std::move(result.steps);
 }
 
 /// To the state that a day without its trend, again and again, leads to.

@@ -28,6 +28,19 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
     }
 }
 
+NaturalFilm natural_film_of(const SolveState& solve, std::size_t facet) {
+    const MaterialId material = solve.input.facets.material[facet];
+    return facet_film(solve.input.materials[material].thermal.convection,
+                      double(solve.input.facets.normal[facet].z()), solve.part_of(facet));
+}
+
+std::vector<NaturalFilm> natural_films(const SolveState& solve, const Block& block) {
+    std::vector<NaturalFilm> films;
+    films.reserve(block.facet.size());
+    for (const std::size_t f : block.facet) films.push_back(natural_film_of(solve, f));
+    return films;
+}
+
 StageForcing between(const StageForcing& low, const StageForcing& high, double up) {
     return {air_between(low.air, high.air, up), std::lerp(low.sky_longwave, high.sky_longwave, up)};
 }
@@ -58,10 +71,13 @@ void facet_heat(const SolveState& solve, const Block& block, const BlockFace& fa
         flat ? &solve.sky[i] : &solve.tier_sky[i * solve.tiers.size() + block.tier];
     const double tilted = face.emissivity * sky->tilted_longwave;
     const double more = flat ? 0.0 : face.emissivity * sky[1].tilted_longwave - tilted;
+    const PackedField::Row sunlight = solve.sunlight.row(i);
+    const bool exchange = !solve.excess.empty();
+    const PackedField::Row excess = exchange ? solve.excess.row(i) : PackedField::Row{};
     for (std::size_t l = 0; l < face.facet.size(); ++l) {
-        const std::size_t at = i * solve.facets + face.facet[l];
-        heat[l] = face.absorptance * solve.sunlight[at] + face.internal;
-        if (!solve.excess.empty()) heat[l] += face.emissivity * solve.excess[at];
+        const std::size_t f = face.facet[l];
+        heat[l] = face.absorptance * double(sunlight(f)) + face.internal;
+        if (exchange) heat[l] += face.emissivity * double(excess(f));
         if (!solve.tilt.empty()) {
             heat[l] += (flat ? tilted : tilted + block.up[l] * more) * solve.tilt[face.facet[l]];
         }
@@ -69,37 +85,58 @@ void facet_heat(const SolveState& solve, const Block& block, const BlockFace& fa
     std::fill(heat + face.facet.size(), heat + block.stride, heat[0]);
 }
 
-void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature,
-                const double* behind) {
-    float* const row = solve.kelvin.data() + i * solve.facets;
-    for (std::size_t l = 0; l < block.facet.size(); ++l) {
-        row[block.facet[l]] = float(temperature[l]);
-    }
-    if (!behind) behind = temperature;
+KelvinRecord::KelvinRecord(SolveState& solve, const Block& block)
+    : front_(solve.kelvin, block.facet) {
     for (std::size_t l = 0; l < block.behind.size(); ++l) {
-        const std::size_t back = block.behind[l];
-        if (solve.other_side[back] == block.facet[l]) row[back] = float(behind[l]);
+        if (solve.other_side[block.behind[l]] != block.facet[l]) continue;
+        back_.push_back(block.behind[l]);
+        lane_.push_back(l);
     }
+    if (!back_.empty()) behind_.emplace(solve.kelvin, back_);
 }
 
-std::span<const HeatJump> edges_of(const Level& level, const Block::Jumps& jumps, std::size_t i) {
+void KelvinRecord::put(const double* temperature, const double* behind) {
+    front_.add(temperature);
+    if (!behind_) return;
+    if (!behind) behind = temperature;
+    double values[mode_lanes];
+    for (std::size_t k = 0; k < lane_.size(); ++k) values[k] = behind[lane_[k]];
+    behind_->add(values);
+}
+
+std::span<const Block::Jump> edges_of(const Level& level, const Block::Jumps& jumps,
+                                      std::size_t i) {
     if (level.stride != 1 || jumps.of.empty()) return {};
     return std::span(jumps.jump).subspan(jumps.of[i - 1], jumps.of[i] - jumps.of[i - 1]);
 }
 
-void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer,
-          const Eigen::MatrixXd* behind) {
-    if (!behind) behind = &warmer;
+namespace {
+
+/// Adds a column of `warmer` to a facet's temperatures.
+void warm_facet(PackedField& kelvin, std::size_t f, const Eigen::MatrixXd& warmer,
+                Eigen::Index lane, std::vector<float>& values) {
+    values.resize(kelvin.slots());
+    kelvin.get(f, values.data());
     for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
-        float* const row = solve.kelvin.data() + std::size_t(k) * level.stride * solve.facets;
-        for (std::size_t l = 0; l < block.facet.size(); ++l) {
-            row[block.facet[l]] += float(warmer(k, Eigen::Index(l)));
-        }
-        for (std::size_t l = 0; l < block.behind.size(); ++l) {
-            const std::size_t back = block.behind[l];
-            if (solve.other_side[back] != block.facet[l]) continue;
-            row[back] += float((*behind)(k, Eigen::Index(l)));
-        }
+        values[std::size_t(k)] += float(warmer(k, lane));
+    }
+    kelvin.put(f, values.data());
+}
+
+}  // namespace
+
+void warm(SolveState& solve, const Block& block, const Eigen::MatrixXd& warmer,
+          const Eigen::MatrixXd* behind) {
+    if (warmer.rows() == 0) return;
+    if (!behind) behind = &warmer;
+    std::vector<float> values;
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        warm_facet(solve.kelvin, block.facet[l], warmer, Eigen::Index(l), values);
+    }
+    for (std::size_t l = 0; l < block.behind.size(); ++l) {
+        const std::size_t back = block.behind[l];
+        if (solve.other_side[back] != block.facet[l]) continue;
+        warm_facet(solve.kelvin, back, *behind, Eigen::Index(l), values);
     }
 }
 

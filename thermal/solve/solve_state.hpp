@@ -9,6 +9,7 @@
 
 #include "thermal/solve/air_tiers.hpp"
 #include "thermal/solve/facet_exchange.hpp"
+#include "thermal/solve/packed_field.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/steppers/material_column.hpp"
 #include "thermal/steppers/mode_batch.hpp"
@@ -25,7 +26,7 @@ namespace diurna {
 struct PeriodMap {
     using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
     Factors mean, steeper;
-    Eigen::MatrixXd follow_mean, follow_steeper;
+    Eigen::MatrixXf follow_mean, follow_steeper;
 };
 
 /// Facets of one material and their state at the start of the span: up to `lanes` of them where
@@ -35,29 +36,33 @@ struct Block {
     std::size_t stride;    // lanes of the block, used or not
     std::vector<std::size_t> facet;
     std::vector<std::size_t> behind{};  // [lane] the facet that is its back; empty: no backs
-    std::vector<NaturalFilm> natural;
-    bool sheltered = false;  // ground with less than the measured wind
-    std::size_t tier = 0;    // AirTiers::low of all its facets
-    std::vector<double> up;  // [lane] AirTiers::share; empty with one tier
-    double mean_up = 0.0;    // of all lanes: layered columns and plates have one air a block
+    bool sheltered = false;             // ground with less than the measured wind
+    std::size_t tier = 0;               // AirTiers::low of all its facets
+    std::vector<double> up;             // [lane] AirTiers::share; empty with one tier
+    double mean_up = 0.0;  // of all lanes: layered columns and plates have one air a block
     /// Jumps of incident sunlight: those of step i are from (step + 1) of[i] to of[i + 1].
+    struct Jump {
+        std::uint32_t lane;
+        float share, heat;  // of the step, 0 to 1; [W m⁻²] size of the jump
+    };
     struct Jumps {
-        std::vector<HeatJump> jump;
+        std::vector<Jump> jump;
         std::vector<std::uint32_t> of;
     };
     Jumps front{}, back{};
-    std::vector<double> start, change;  // [state][lane] relative; change over the last pass. States
-                                        // are nodes' temperatures, or the open column's modes
-    std::vector<double> move, planned;  // [state][lane] of the start after the previous pass: made,
-                                        // and by the material's matrix alone
-    double residual = 1e9;              // [K] largest of `change`
-    double heat_change = 1e9;           // [W m⁻²] change of terrain longwave since the last run;
-    double unfollowed = 0.0;            // part of it without correction of temperatures;
-    double warmed = 1e9;                // [K] correction of temperatures
-    double relit = 0.0;                 // [W m⁻²] change of sunlight since the last run
-    double largest_move = 1e9;          // [K] of `move`
-    double nudge = 0.0;                 // [K] correction of the start by neighbours since
-    bool rests = false;                 // skipped in the last pass
+    std::vector<double> start;         // [state][lane] relative. States are nodes' temperatures, or
+                                       // the open column's modes
+    std::vector<float> change;         // over the last pass
+    std::vector<float> move, planned;  // [state][lane] of the start after the previous pass: made,
+                                       // and by the material's matrix alone
+    double residual = 1e9;             // [K] largest of `change`
+    double heat_change = 1e9;          // [W m⁻²] change of terrain longwave since the last run;
+    double unfollowed = 0.0;           // part of it without correction of temperatures;
+    double warmed = 1e9;               // [K] correction of temperatures
+    double relit = 0.0;                // [W m⁻²] change of sunlight since the last run
+    double largest_move = 1e9;         // [K] of `move`
+    double nudge = 0.0;                // [K] correction of the start by neighbours since
+    bool rests = false;                // skipped in the last pass
     std::optional<PeriodMap> period{};  // linearised about a run
     double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
     StepRecord record;          // of the last run
@@ -79,9 +84,11 @@ struct Block {
 };
 
 /// References to the states of a block, (state, lane), `stride` lanes from one state to the next.
-using BlockStates =
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>, 0,
-               Eigen::OuterStride<>>;
+template <class Scalar>
+using StatesOf = Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>,
+                            0, Eigen::OuterStride<>>;
+using BlockStates = StatesOf<double>;
+using BlockChanges = StatesOf<float>;
 
 struct StageForcing {
     AirFilm air;
@@ -168,10 +175,11 @@ struct SolveState {
     std::vector<std::uint32_t> other_side;  // terrain/visibility/two_sides.hpp
     std::vector<SkyState> sky;              // (instant) at the weather's height
     std::vector<SkyState> tier_sky;         // (instant, tier); empty with one tier
-    std::vector<float> sunlight;            // (instant, facet) incident
-    std::vector<float> excess;  // (instant, facet) terrain longwave; empty without exchange
-    std::vector<float> tilt;    // (facet) tilted_sky_excess; empty if the sky is uniform
-    std::vector<float> kelvin;  // (instant, facet)
+    PackedField shares;       // SunExposure::fraction, of sunlit instants; empty: no shadows
+    PackedField sunlight;     // incident
+    PackedField excess;       // terrain longwave; empty without exchange
+    std::vector<float> tilt;  // (facet) tilted_sky_excess; empty if the sky is uniform
+    PackedField kelvin;
     ChangingAlbedo changing{};  // of facets with snow or water, as used in `sunlight`
     AlbedoMove albedo_move{};
     std::vector<float> relit{};  // (facet) [W m⁻²] as Block::relit; empty: no changes
@@ -208,10 +216,11 @@ struct SolveState {
     bool has_back(std::size_t f) const {
         return !other_side.empty() && other_side[f] != index(no_facet) && is_back(other_side[f]);
     }
-    std::span<float> row(std::vector<float>& field, std::size_t i) const {
-        return {field.data() + i * facets, facets};
-    }
 };
+
+/// The film of a facet, and of a block's, [lane].
+NaturalFilm natural_film_of(const SolveState& solve, std::size_t facet);
+std::vector<NaturalFilm> natural_films(const SolveState& solve, const Block& block);
 
 /// [s] of a level's step
 inline double level_step(const SolveState& solve, const Level& level) {
@@ -233,16 +242,28 @@ BlockFace back_of(const SolveState& solve, const Block& block);
 void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,
                 double* heat);
 
-/// Stores a block's surface temperatures [lane] at an instant, and those of its backs.
-void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature,
-                const double* behind = nullptr);
+/// Stores a block's surface temperatures, and those of its backs, from instant to instant of a
+/// level.
+class KelvinRecord {
+ public:
+    KelvinRecord(SolveState& solve, const Block& block);
+    /// At the next instant, [lane].
+    ///
+    /// - behind: null: as the fronts
+    void put(const double* temperature, const double* behind = nullptr);
+
+ private:
+    PackedWriter front_;
+    std::vector<std::size_t> back_, lane_;  // backs that are those of no other, and their lanes
+    std::optional<PackedWriter> behind_{};
+};
 
 /// The jumps of a face's sunlight in the step that ends at instant i; none on coarse levels.
-std::span<const HeatJump> edges_of(const Level& level, const Block::Jumps& jumps, std::size_t i);
+std::span<const Block::Jump> edges_of(const Level& level, const Block::Jumps& jumps, std::size_t i);
 
 /// Adds to a block's temperatures [K], (instant of the level, facet of the block); the same to
 /// those of its backs, or the given values.
-void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer,
+void warm(SolveState& solve, const Block& block, const Eigen::MatrixXd& warmer,
           const Eigen::MatrixXd* behind = nullptr);
 
 }  // namespace diurna

@@ -48,9 +48,7 @@ void put_rooms(SolveState& solve) {
         const auto* ground = std::get_if<FixedTemperature>(&bottom);
         if (!room && !ground) continue;
         const double kelvin = room ? room->air_temperature : ground->temperature;
-        for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-            solve.row(solve.kelvin, i)[f] = float(kelvin);
-        }
+        solve.kelvin.fill(f, float(kelvin));
     }
 }
 
@@ -61,26 +59,30 @@ std::size_t coarse_stride(const SolveState& solve) {
     return stride;
 }
 
-/// The temperatures to be kept, taken from the solve if that is all of them.
-TemperatureField kept(SolveState& solve, const CoveredFacets& water) {
+/// The instants whose temperatures are stored.
+std::vector<std::size_t> stored(const SolveState& solve) {
+    if (solve.options.keep_at) return *solve.options.keep_at;
     const auto every = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::llround(solve.options.keep_every / solve.step)));
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < solve.instant.size(); i += every) all.push_back(i);
+    return all;
+}
+
+/// The temperatures to be kept.
+TemperatureField kept(const SolveState& solve, const CoveredFacets& water) {
+    const std::vector<std::size_t> instants = stored(solve);
     TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
     field.water.facet = water.facet;
-    const std::size_t rows = (solve.instant.size() + every - 1) / every;
-    if (every > 1) field.kelvin.reserve(rows * solve.facets);
-    field.water.cover.reserve(rows * water.facet.size());
-    for (std::size_t i = 0; i < solve.instant.size(); i += every) {
+    field.kelvin.resize(instants.size() * solve.facets);
+    field.water.cover.reserve(instants.size() * water.facet.size());
+    for (std::size_t row = 0; row < instants.size(); ++row) {
+        const std::size_t i = instants[row];
         field.instant.push_back(solve.instant[i]);
-        if (every > 1) {
-            const auto row = solve.kelvin.begin() + static_cast<std::ptrdiff_t>(i * solve.facets);
-            field.kelvin.insert(field.kelvin.end(), row,
-                                row + static_cast<std::ptrdiff_t>(solve.facets));
-        }
+        solve.kelvin.decode(i, field.at(row));
         const auto cover = water.at(i);
         field.water.cover.insert(field.water.cover.end(), cover.begin(), cover.end());
     }
-    if (every == 1) field.kelvin = std::move(solve.kelvin);
     field.water = field.water.kept();
     return field;
 }
@@ -104,7 +106,7 @@ class Stopwatch {
 };
 
 /// The sky at every step's instant, and the light it sends to every facet.
-void set_irradiance(SolveState& solve) {
+void set_irradiance(SolveState& solve, const HandedOver& given) {
     SunPath path(solve.input.site);
     for (const Instant when : solve.instant) {
         solve.sky.push_back(solve.series.at(when, path.at(when)));
@@ -119,8 +121,11 @@ void set_irradiance(SolveState& solve) {
     }
     solve.tilt = tilts(solve);
     take_earlier_water(solve);
-    add_sunlight(solve);
+    store_shares(solve);
+    if (given.sun != nullptr) given.sun->fraction = std::vector<float>();
     find_jumps(solve);
+    if (given.sun != nullptr) given.sun->edge = std::vector<ShadowEdge>();
+    add_sunlight(solve);
 }
 
 /// Recomputes the neighbours' longwave, if there are neighbours.
@@ -151,8 +156,8 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
         }
         renew_longwave(solve, coarse, room, report);
     }
-    fill_between(solve, solve.kelvin, stride);
-    if (neighbours) fill_between(solve, solve.excess, stride);
+    solve.kelvin = filled_between(solve, solve.kelvin, stride);
+    if (neighbours) solve.excess = filled_between(solve, solve.excess, stride);
     set_films(solve, fine, coarse);
     for (Block& block : solve.block) {
         block.move.clear();
@@ -285,8 +290,10 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
+    std::vector<float> all(solve.facets);
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const std::span row(solve.kelvin.data() + i * solve.facets, solve.counted);
+        solve.kelvin.decode(i, all);
+        const std::span row(all.data(), solve.counted);
         const auto [coldest, warmest] = std::minmax_element(row.begin(), row.end());
         report.coldest = i == 0 ? *coldest : std::min<double>(report.coldest, *coldest);
         report.warmest = i == 0 ? *warmest : std::max<double>(report.warmest, *warmest);
@@ -327,7 +334,7 @@ void set_out_lanes(const SolveState& solve, const HeatState& from,
 }
 
 /// Sets out from what another solve has left, in place of the first guess.
-void set_out_from(const HeatState& from, SolveState& solve) {
+void set_out_from(const HeatState& from, PackedField guess, SolveState& solve) {
     const bool same_blocks = from.of_block.empty();
     if (from.kelvin.size() != solve.facets ||
         (same_blocks && from.block.size() != solve.block.size())) {
@@ -349,12 +356,11 @@ void set_out_from(const HeatState& from, SolveState& solve) {
         }
         for (Block& block : solve.block) set_out_lanes(solve, from, place, block);
     }
-    const TemperatureField* const guess = solve.input.guess;
-    const bool alike = guess && guess->kelvin.size() == solve.kelvin.size();
-    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const std::span<const float> row = alike ? guess->at(i) : std::span(from.kelvin);
-        std::copy(row.begin(), row.end(), solve.row(solve.kelvin, i).begin());
+    if (guess.slots() == solve.kelvin.slots() && guess.facets() == solve.facets) {
+        solve.kelvin = std::move(guess);
+        return;
     }
+    for (std::size_t f = 0; f < solve.facets; ++f) solve.kelvin.fill(f, from.kelvin[f]);
 }
 
 /// What the span leaves. A periodic one ends where it starts.
@@ -365,20 +371,20 @@ HeatState left_by(SolveState& solve, const Level& level, const PointFacets& poin
                   .block = {},
                   .point = points.left(),
                   .network = targets.left()};
-    const std::span<float> last = solve.row(solve.kelvin, solve.steps());
-    end.kelvin.assign(last.begin(), last.end());
+    end.kelvin.resize(solve.facets);
+    solve.kelvin.decode(solve.steps(), end.kelvin);
     for (const Block& block : solve.block) {
         std::vector<double>& state = end.block.emplace_back(block.start);
         end.of_block.push_back(block.facet);
         if (solve.options.periodic || solve.of_target(block)) continue;
-        for (std::size_t i = 0; i < state.size(); ++i) state[i] += block.change[i];
+        for (std::size_t i = 0; i < state.size(); ++i) state[i] += double(block.change[i]);
     }
     return end;
 }
 
 }  // namespace
 
-SolveResult solve(const SolveInput& input, const SolveOptions& options) {
+SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOver given) {
     const auto begun = Clock::now();
     check(input, options);
     const SkySeries series(input.weather, input.site, input.elevation, input.clear_sky,
@@ -386,24 +392,29 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     SolveState state(input, options, series);
     SolveReport report{.facets = state.facets, .steps = int(state.steps())};
     const std::vector<KindOf> kinds = group_by_material(state);
-    set_irradiance(state);
+    set_irradiance(state, given);
     Level fine = make_level(state, kinds, 1, StepSetup{}.most_substeps);
-    state.kelvin.resize(state.instant.size() * state.facets);
+    const std::size_t hours = coarse_stride(state);
+    const std::size_t stride = options.periodic && !input.from ? hours : 1;  // of the first passes
+    state.kelvin = PackedField::of_steps(state.instant.size(), stride, state.facets);
     put_rooms(state);
     settle(state, fine);
     if (input.from) {
-        set_out_from(*input.from, state);
+        set_out_from(*input.from, std::move(given.guess), state);
+        if (given.from != nullptr) {
+            given.from->block = std::vector<std::vector<double>>();
+            given.from->of_block = std::vector<std::vector<std::size_t>>();
+        }
     } else {
         check_mean_balance(state);
     }
     if (options.exchange && exchanging(input)) {
-        state.excess.assign(state.instant.size() * state.facets, 0.0f);
+        state.excess = PackedField::of_steps(state.instant.size(), stride, state.facets);
     }
     ExchangeRoom room;
     NetworkFacets targets(state);
     if (input.from) targets.set_out_from(input.from->network);
-    const std::size_t stride = coarse_stride(state);
-    if (options.periodic && stride > 1 && !input.from) {
+    if (stride > 1) {
         pass_in_hours(state, kinds, stride, fine, targets, room, report);
     } else {
         renew_longwave(state, fine, room, report);
@@ -413,6 +424,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     if (input.from && !options.periodic) points.set_out_from(input.from->point);
     pass_until_settled(state, fine, points, targets, room, report);
     room = {};
+    state.shares = {};
     HeatFluxField heat = record_heat(state, fine, points, targets);
     points.measure_left_out(fine);
     tell_steps(state, points, targets, report);
@@ -420,7 +432,8 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     SolveResult result{.temperature = kept(state, points.cover()),
                        .report = report,
                        .end = std::move(end),
-                       .heat = std::move(heat)};
+                       .heat = std::move(heat),
+                       .steps = std::move(state.kelvin)};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);
     return result;

@@ -7,6 +7,7 @@
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/heat_flux_field.hpp"
+#include "thermal/solve/packed_field.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/solve/solve_report.hpp"
 #include "thermal/temperature_field.hpp"
@@ -18,6 +19,16 @@ struct SolveResult {
     SolveReport report;
     HeatState end;         // of the span
     HeatFluxField heat{};  // at SolveOptions::heat_at
+    PackedField steps{};   // all temperatures, (instant, facet)
+};
+
+/// Values that a solve releases or takes over as soon as it needs them no longer as they are.
+struct HandedOver {
+    SunExposure* sun = nullptr;  // SolveInput::sun; empty afterwards
+    /// With SolveInput::from: temperatures at the same number of instants as a first guess for the
+    /// span, such as the previous day's; empty: the start's at all instants.
+    PackedField guess{};
+    HeatState* from = nullptr;  // SolveInput::from: its columns are released once they are taken
 };
 
 /// Temperatures of all facets over the span: layered conduction below, the full surface balance
@@ -42,6 +53,6 @@ struct SolveResult {
 /// shows it, as (with `unsolved`) for a facet whose balance has no solution from 1 to 5000 K.
 /// Throws InputError if arrays do not match; std::runtime_error, which names facet, material and
 /// instant, if a temperature is not a number.
-SolveResult solve(const SolveInput& input, const SolveOptions& options);
+SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOver given = {});
 
 }  // namespace diurna

@@ -160,20 +160,21 @@ void set_films(const SolveState& solve, Level& level, const Level& known) {
     }
 }
 
-void fill_between(const SolveState& solve, std::vector<float>& field, std::size_t stride) {
-    for_each_index(
-        solve.steps() / stride,
-        [&](std::size_t s) {
-            const auto a = solve.row(field, s * stride), b = solve.row(field, (s + 1) * stride);
-            for (std::size_t i = 1; i < stride; ++i) {
-                const float share = float(i) / float(stride);
-                const auto between = solve.row(field, s * stride + i);
-                for (std::size_t f = 0; f < solve.facets; ++f) {
-                    between[f] = a[f] + share * (b[f] - a[f]);
-                }
+PackedField filled_between(const SolveState& solve, const PackedField& field, std::size_t stride) {
+    PackedField fine = PackedField::of_steps(solve.instant.size(), 1, solve.facets);
+    for_each_block(solve.facets, 256, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> given(field.slots()), values(fine.slots());
+        for (std::size_t f = begin; f < end; ++f) {
+            field.get(f, given.data());
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                const std::size_t s = k / stride, next = std::min(s + 1, given.size() - 1);
+                const float share = float(k % stride) / float(stride);
+                values[k] = given[s] + share * (given[next] - given[s]);
             }
-        },
-        1);
+            fine.put(f, values.data());
+        }
+    });
+    return fine;
 }
 
 }  // namespace diurna

@@ -18,7 +18,7 @@ void set_films(const SolveState& solve, Level& level, const Level& known);
 double typical_film(const Kind& kind);
 double typical_back_film(const Kind& kind);
 
-/// Interpolates a field's rows at the instants between those of a coarse level.
-void fill_between(const SolveState& solve, std::vector<float>& field, std::size_t stride);
+/// A field of a coarse level's instants with a value at every instant, linear between those.
+PackedField filled_between(const SolveState& solve, const PackedField& field, std::size_t stride);
 
 }  // namespace diurna

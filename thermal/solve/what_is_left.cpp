@@ -16,8 +16,10 @@ std::size_t furthest_of(const Block& block) {
     double most = -1.0;
     for (std::size_t i = 0; i < block.change.size(); ++i) {
         const std::size_t of = i % block.stride;
-        if (of >= block.facet.size() || !(std::abs(block.change[i]) > most)) continue;
-        most = std::abs(block.change[i]);
+        if (of >= block.facet.size() || !(std::abs(double(block.change[i])) > most)) {
+            continue;
+        }
+        most = std::abs(double(block.change[i]));
         lane = of;
     }
     return block.facet[lane];

@@ -145,7 +145,7 @@ SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& o
         part.push_back(std::make_unique<SolvedPart>(stage.input, who, points.beside));
         solved.push_back({stage.from, part.back()->input(),
                           [&](const std::vector<Instant>& when) {
-                              return solved_part(stage.exposure(when), who,
+                              return with_beside(stage.exposure(when), who.solved.size(),
                                                  points.point.empty()
                                                      ? SunExposure{}
                                                      : sun_at(points, scene, when));
@@ -166,15 +166,6 @@ SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& o
         result.notes.push_back(in_words(result.check, points, scene.scene.tolerance));
     }
     return result;
-}
-
-/// (facet that rays know) 1 where it or a level of a texture in its place is solved.
-std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& world) {
-    std::vector<std::uint8_t> asked(world.facets.size(), 0);
-    for (const std::uint32_t f : needed.who.solved) {
-        asked[index(world.texture_levels.facet_of(SurfaceId{f}))] = 1;
-    }
-    return asked;
 }
 
 std::string reported(const NeededFacets& needed, const TemperatureField& field) {
@@ -220,7 +211,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
     std::optional<NeededFacets> needed;
     if (decision.every_facet.empty()) {
         needed = needed_facets(stages, first.input().network, decision.tolerance);
-        for (const auto& own : heat) own->ask_for(solid_facets(*needed, scene.world));
+        for (const auto& own : heat) own->ask_for(needed->who.solved);
     }
     CheckPoints points;
     if (decision.check_points > 0 && can_check(scene)) {

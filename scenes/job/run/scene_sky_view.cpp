@@ -31,11 +31,12 @@ FacetViews solid_sky_view(const Prepared& prepared, bool sunlight) {
 }  // namespace
 
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight, const StageStore* store) {
-    const FacetViews view = cached_or_computed<FacetViews>(
+    FacetViews view = cached_or_computed<FacetViews>(
         store, "sky", [&] { return sky_key(prepared, sunlight); }, views_of,
         [&] { return solid_sky_view(prepared, sunlight); });
     const TextureLevels& levels = prepared.world.texture_levels;
-    return levels.empty() ? view : for_all_levels(levels, view);
+    if (levels.empty()) return view;
+    return for_all_levels(levels, view);
 }
 
 }  // namespace diurna

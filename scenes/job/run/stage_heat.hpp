@@ -24,8 +24,8 @@ class StageHeat {
 
     const SolveInput& input() const { return input_; }
     SunExposure exposure(const std::vector<Instant>& instants);
-    /// Shadows only on these facets, (facet known to rays) 1.
-    void ask_for(std::vector<std::uint8_t> facets) { daily_.ask_for(std::move(facets)); }
+    /// `exposure` has only these surfaces, ascending.
+    void ask_for(const std::vector<std::uint32_t>& surfaces) { daily_.ask_for(surfaces); }
     double shadow_seconds() const { return shadow_seconds_; }
     /// Notes for the report, one line each.
     std::vector<std::string> reported(const SolveReport& report) const;

@@ -1,0 +1,170 @@
+#include "thermal/solve/packed_field.hpp"
+
+#include <immintrin.h>
+
+#include <cassert>
+#include <limits>
+#include <utility>
+
+namespace diurna {
+
+namespace {
+
+constexpr float most_code = 65535.0f;
+
+/// The least power of two, as a float's exponent, of which `most_code` cover a range; 0 if a range
+/// is nothing, or so little that it matters nowhere.
+std::uint8_t exponent_of(float range) {
+    constexpr std::uint32_t least = 20, mantissa_bits = 23;
+    const auto bits = std::bit_cast<std::uint32_t>(range / most_code);
+    const std::uint32_t exponent =
+        (bits >> mantissa_bits) + ((bits & ((1u << mantissa_bits) - 1)) != 0 ? 1 : 0);
+    return exponent < least ? 0 : std::uint8_t(exponent);
+}
+
+}  // namespace
+
+PackedField::PackedField(std::vector<int> slots, std::size_t facets)
+    : slot_(std::move(slots)), facets_(facets) {
+    for (const int slot : slot_) slots_ = std::max(slots_, std::size_t(slot + 1));
+    code_.resize(slots_ * facets_);
+    base_.resize(runs() * facets_);
+    step_.resize(runs() * facets_);
+}
+
+PackedField PackedField::of_steps(std::size_t instants, std::size_t stride, std::size_t facets) {
+    std::vector<int> slots(instants);
+    for (std::size_t i = 0; i < instants; ++i) slots[i] = int(i / stride);
+    return {std::move(slots), facets};
+}
+
+namespace {
+
+constexpr std::size_t run = PackedField::run;
+
+/// Range of a run's values; finite if all are.
+struct Range {
+    float low, high;
+    bool finite;
+};
+
+float least_of(__m256 x) {
+    __m128 y = _mm_min_ps(_mm256_castps256_ps128(x), _mm256_extractf128_ps(x, 1));
+    y = _mm_min_ps(y, _mm_movehl_ps(y, y));
+    return _mm_cvtss_f32(_mm_min_ss(y, _mm_shuffle_ps(y, y, 1)));
+}
+
+Range range_of(const float* values) {
+    const __m256 a = _mm256_loadu_ps(values), b = _mm256_loadu_ps(values + 8);
+    const __m256 nothing = _mm256_add_ps(_mm256_sub_ps(a, a), _mm256_sub_ps(b, b));
+    const __m256 sign = _mm256_set1_ps(-0.0f);
+    const float high = -least_of(_mm256_xor_ps(_mm256_max_ps(a, b), sign));
+    const int zeros = _mm256_movemask_ps(_mm256_cmp_ps(nothing, _mm256_setzero_ps(), _CMP_EQ_OQ));
+    return {least_of(_mm256_min_ps(a, b)), high, zeros == 0xFF};
+}
+
+void encode(const float* values, float base, float per_step, std::uint16_t* code) {
+    const auto part = [&](const float* eight) {
+        const __m256 x = _mm256_mul_ps(_mm256_sub_ps(_mm256_loadu_ps(eight), _mm256_set1_ps(base)),
+                                       _mm256_set1_ps(per_step));
+        return _mm256_cvtps_epi32(x);
+    };
+    // Packing goes by halves of the registers.
+    const __m256i packed = _mm256_packus_epi32(part(values), part(values + 8));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(code), _mm256_permute4x64_epi64(packed, 0xD8));
+}
+
+void decode(const std::uint16_t* code, float base, float step, float* values) {
+    for (std::size_t k = 0; k < run; k += 8) {
+        const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(code + k));
+        const __m256 x = _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(eight));
+        // Whole numbers times a power of two are exact, so that one value alone is the same.
+        const __m256 scaled = _mm256_mul_ps(x, _mm256_set1_ps(step));
+        _mm256_storeu_ps(values + k, _mm256_add_ps(_mm256_set1_ps(base), scaled));
+    }
+}
+
+}  // namespace
+
+void PackedField::get(std::size_t r, std::size_t f, float* values) const {
+    const std::size_t n = width(r);
+    const std::uint16_t* const code = code_.data() + r * run * facets_ + f * n;
+    const float base = base_[r * facets_ + f], unit = step(r, f);
+    if (n == run) {
+        diurna::decode(code, base, unit, values);
+    } else {
+        for (std::size_t k = 0; k < n; ++k) values[k] = base + float(code[k]) * unit;
+    }
+}
+
+void PackedField::put(std::size_t r, std::size_t f, const float* values) {
+    const std::size_t n = width(r);
+    std::uint16_t* const code = code_.data() + r * run * facets_ + f * n;
+    float& base = base_[r * facets_ + f];
+    std::uint8_t& biased = step_[r * facets_ + f];
+    float filled[run];
+    if (n < run) {
+        std::fill(std::copy_n(values, n, filled), filled + run, values[0]);
+        values = filled;
+    }
+    const Range range = range_of(values);
+    const float wide = range.high - range.low;
+    const bool known = range.finite && wide < std::numeric_limits<float>::max();
+    base = known ? range.low : std::numeric_limits<float>::quiet_NaN();
+    biased = known ? exponent_of(wide) : std::uint8_t{0};
+    if (biased == 0) {
+        std::fill_n(code, n, std::uint16_t{0});
+        return;
+    }
+    const float per_step = two_to(std::uint8_t(254 - biased));
+    if (n == run) {
+        encode(values, base, per_step, code);
+        return;
+    }
+    std::uint16_t all[run];
+    encode(values, base, per_step, all);
+    std::copy_n(all, n, code);
+}
+
+void PackedField::get(std::size_t f, float* values) const {
+    for (std::size_t r = 0; r < runs(); ++r) get(r, f, values + r * run);
+}
+
+void PackedField::put(std::size_t f, const float* values) {
+    for (std::size_t r = 0; r < runs(); ++r) put(r, f, values + r * run);
+}
+
+void PackedField::fill(std::size_t f, float value) {
+    for (std::size_t r = 0; r < runs(); ++r) {
+        base_[r * facets_ + f] = value;
+        step_[r * facets_ + f] = 0;
+        std::fill_n(code_.begin() + std::ptrdiff_t(r * run * facets_ + f * width(r)), width(r),
+                    std::uint16_t{0});
+    }
+}
+
+void PackedField::decode(std::size_t instant, std::span<float> values) const {
+    assert(values.size() == facets_);
+    const Row from = row(instant);
+    for (std::size_t f = 0; f < facets_; ++f) values[f] = from(f);
+}
+
+PackedWriter::PackedWriter(PackedField& field, std::span<const std::size_t> facets)
+    : field_(field), facets_(facets), values_(facets.size() * PackedField::run) {}
+
+void PackedWriter::add(const double* values) {
+    const std::size_t at = slot_++ % PackedField::run;
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        values_[k * PackedField::run + at] = float(values[k]);
+    }
+    if (at + 1 == PackedField::run) flush();
+}
+
+void PackedWriter::flush() {
+    const std::size_t r = (slot_ - 1) / PackedField::run;
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        field_.put(r, facets_[k], values_.data() + k * PackedField::run);
+    }
+}
+
+}  // namespace diurna

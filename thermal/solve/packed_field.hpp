@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace diurna {
+
+/// A value of every facet at every instant of a span, (instant, facet), in 18.5 bits each: runs of
+/// sixteen instants of a facet share a base and a power of two, and each has 16 bits. A value
+/// differs from the given one by at most 1/65535 of the range of its run: by 0.15 mK where a
+/// temperature changes by 10 K in sixteen steps. Equal values of a run are exact. A value that is
+/// not finite makes its run NaN.
+///
+/// Different facets can be written at the same time.
+class PackedField {
+ public:
+    static constexpr std::size_t run = 16;  // instants of a run
+
+    PackedField() = default;
+    /// All zero.
+    ///
+    /// - slots: (instant) number of the stored value, from 0 ascending without gaps, equal where
+    ///   instants share one; < 0: always zero
+    PackedField(std::vector<int> slots, std::size_t facets);
+    /// A value for every one of so many instants, or for every `stride`-th, of which the others
+    /// have that before them.
+    static PackedField of_steps(std::size_t instants, std::size_t stride, std::size_t facets);
+
+    bool empty() const { return code_.empty(); }
+    std::size_t instants() const { return slot_.size(); }
+    std::size_t facets() const { return facets_; }
+    std::size_t slots() const { return slots_; }
+    std::size_t runs() const { return (slots_ + run - 1) / run; }
+    /// Stored values of a run.
+    std::size_t width(std::size_t r) const { return std::min(run, slots_ - r * run); }
+
+    /// The values of all facets at one instant.
+    class Row {
+     public:
+        float operator()(std::size_t f) const {
+            return code_ == nullptr ? 0.0f : base_[f] + float(code_[f * width_]) * two_to(step_[f]);
+        }
+
+     private:
+        friend class PackedField;
+        const std::uint16_t* code_ = nullptr;
+        const float* base_ = nullptr;
+        const std::uint8_t* step_ = nullptr;
+        std::size_t width_ = 0;
+    };
+    Row row(std::size_t instant) const;
+    float at(std::size_t instant, std::size_t f) const { return row(instant)(f); }
+
+    /// The distance of neighbouring codes of a run of one facet.
+    float step(std::size_t r, std::size_t f) const { return two_to(step_[r * facets_ + f]); }
+    /// The values of a run of one facet: width(r) of them.
+    void get(std::size_t r, std::size_t f, float* values) const;
+    void put(std::size_t r, std::size_t f, const float* values);
+    /// All stored values of one facet: slots() of them.
+    void get(std::size_t f, float* values) const;
+    void put(std::size_t f, const float* values);
+    /// The same value at all instants.
+    void fill(std::size_t f, float value);
+    /// Values of all facets at one instant.
+    void decode(std::size_t instant, std::span<float> values) const;
+
+ private:
+    std::vector<int> slot_;  // (instant)
+    std::size_t facets_ = 0, slots_ = 0;
+    std::vector<std::uint16_t> code_;  // (run, facet, slot of the run)
+    std::vector<float> base_;          // (run, facet): value = base + code × step
+    std::vector<std::uint8_t> step_;   // exponent of two, plus 127
+
+    static float two_to(std::uint8_t biased) {
+        return std::bit_cast<float>(std::uint32_t{biased} << 23);
+    }
+};
+
+inline PackedField::Row PackedField::row(std::size_t instant) const {
+    Row row;
+    if (slot_[instant] < 0) return row;
+    const auto slot = std::size_t(slot_[instant]), r = slot / run;
+    row.width_ = width(r);
+    row.code_ = code_.data() + r * run * facets_ + slot % run;
+    row.base_ = base_.data() + r * facets_;
+    row.step_ = step_.data() + r * facets_;
+    return row;
+}
+
+/// Writes the values of some facets slot by slot: a run is packed when it is complete, the last one
+/// at the end of its life.
+class PackedWriter {
+ public:
+    PackedWriter(PackedField& field, std::span<const std::size_t> facets);
+    ~PackedWriter() {
+        if (slot_ % PackedField::run != 0) flush();
+    }
+    PackedWriter(const PackedWriter&) = delete;
+    PackedWriter& operator=(const PackedWriter&) = delete;
+
+    /// The values of the facets in the next slot.
+    void add(const double* values);
+
+ private:
+    void flush();
+    PackedField& field_;
+    std::span<const std::size_t> facets_;
+    std::vector<float> values_;  // (facet of these, slot of the run)
+    std::size_t slot_ = 0;
+};
+
+}  // namespace diurna

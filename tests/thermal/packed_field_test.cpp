@@ -65,7 +65,7 @@ TEST_CASE("equal values are packed exactly, and zero stays zero", "[thermal][pac
     CHECK(field.at(40, 0) == 0.0f);
 }
 
-TEST_CASE("of packed values the ends of the range of floats are kept", "[thermal][packed]") {
+TEST_CASE("packed values hold the ends of the range of floats", "[thermal][packed]") {
     PackedField field = PackedField::of_steps(16, 1, 1);
     const float huge = GENERATE(1e-30f, 1e-6f, 1.0f, 4e7f, 1e30f);
     CAPTURE(huge);

@@ -83,17 +83,17 @@ bool send(SolveState& solve, float least, int sweeps, Field& field) {
     const FacetViews& view = solve.input.views;
     const SeenRows rows{
         .row = view.others.row, .source = view.others.facet, .factor = view.others.factor};
-    const float scale = 1.0f / (least * field.open);
+    const float scale = 1.0f / (least * field.open), nothing[PackedField::run] = {};
     std::vector<float> counts(solve.facets), most(solve.facets, 0.0f);
     std::vector<std::uint8_t> left(solve.facets, 0);
-    std::vector<float>&leaving = field.room.leaving, &arrived = field.room.arrived;
+    std::vector<float>& leaving = field.room.leaving;
     for (std::size_t run = 0; run < field.moved().runs(); ++run) {
         const std::size_t width = field.moved().width(run);
         leaving.resize(solve.facets * width);
-        arrived.assign(solve.facets * width, 0.0f);
         for_each_index(solve.facets, [&](std::size_t f) {
             float* const out = leaving.data() + f * width;
             leaving_of(solve, field, run, f, out);
+            field.moved().put(run, f, nothing);
             counts[f] = field.sends[f] ? scale * largest({out, width}) : 0.0f;
         });
         interreflect(
@@ -101,18 +101,21 @@ bool send(SolveState& solve, float least, int sweeps, Field& field) {
             [&](std::size_t f, const float* now, float* unsent) {
                 const float reflectance = 1.0f - solve.optics.emissivity[f];
                 const float all = field.to_and_fro(f, reflectance);
-                float* const sum = arrived.data() + f * width;
-                for (std::size_t k = 0; k < width; ++k) sum[k] += all * now[k];
-                for (std::size_t k = 0; k < width; ++k) unsent[k] += reflectance * all * now[k];
+                float more[PackedField::run];
+                for (std::size_t k = 0; k < width; ++k) {
+                    more[k] = all * now[k];
+                    unsent[k] += reflectance * more[k];
+                }
+                add_to(field.moved(), run, f, more);
                 return f < solve.counted ? scale * largest({unsent, width}) : 0.0f;
             },
             sweeps);
         for_each_index(solve.facets, [&](std::size_t f) {
-            const float* const sum = arrived.data() + f * width;
+            float sum[PackedField::run];
+            field.moved().get(run, f, sum);
             const float of_run = largest({sum, width});
             left[f] |= counts[f] > 1.0f;
             most[f] = std::max(most[f], of_run);
-            field.moved().put(run, f, sum);
             if (of_run > 0.0f) add_to(solve.excess, run, f, sum);
         });
     }

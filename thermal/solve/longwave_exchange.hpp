@@ -10,7 +10,7 @@ namespace diurna {
 struct ExchangeRoom {
     PackedField moved{};  // what arrives at facets, or leaves them
     // of a run of instants, (facet, instant): the exchange computes one run after the other
-    std::vector<float> leaving{}, arrived{};
+    std::vector<float> leaving{};
 };
 
 /// Whether any facet sees another one, or ground beyond the scene's edge.

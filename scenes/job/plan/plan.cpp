@@ -243,6 +243,18 @@ void count_uncertain(std::size_t values, Plan& plan) {
     }
 }
 
+/// Facets that are solved, as far as is known before views are cast.
+double solved_facets(const Scene& scene, const Plan& plan, double networks) {
+    const double all = double(plan.facets);
+    if (!plan.decisions.heat.every_facet.empty()) return all;
+    double pixels = 0.0;  // of which none shows what another does
+    for (const ObserverInput& observer : scene.observers) {
+        const double views = observer.goes() ? double(observer.frames.size()) : 1.0;
+        pixels += views * double(observer.width) * double(observer.height);
+    }
+    return std::min(all, networks + costs.solved_per_pixel * pixels);
+}
+
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather,
               std::span<const Sequence> sequences, Plan& plan) {
@@ -300,15 +312,22 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     count_uncertain(scene.uncertain.size(), plan);
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
-    // Program and libraries; what a facet has once; six fields of a value for each step; views, of
-    // one observer at a time.
+    // Program and libraries, and what a facet has once; then the heat balance, or temperatures and
+    // views, of one observer at a time.
     const double others = double(scene.uncertain.size());  // scenes with a value changed
-    plan.memory +=
-        others * (costs.other_scene + costs.other_facet * facets) + costs.program +
-        costs.freezing_facet * points.freezing +
-        networks * (costs.network_facet + costs.network_facet_step * std::min(steps, day_steps)) +
-        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) +
-        4.0 * values * (1.0 + others) + work.largest_view * (1.0 + others);
+    const double of_day = std::min(1.0, day_steps / std::max(1.0, steps));
+    const double heat =
+        solved_facets(scene, plan, networks) *
+            (costs.solved_facet +
+             of_day * (costs.solved_step * steps + costs.sunlit_step * sunlit)) +
+        networks * (costs.network_facet + costs.network_facet_step * of_day * steps) +
+        costs.freezing_facet * points.freezing;
+    const double pictures = plan.memory + work.largest_view * (1.0 + others) +
+                            4.0 * values * (1.0 + others) +
+                            (scene.observers.empty() ? 0.0 : costs.pictured_facet * facets);
+    plan.memory = costs.program + costs.facet * facets +
+                  others * (costs.other_scene + costs.other_facet * facets) +
+                  std::max(heat, pictures);
 }
 
 }  // namespace
@@ -317,8 +336,8 @@ Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
                std::span<const Sequence> sequences) {
     Plan plan;
     count_work(scene, world, plan);
-    estimate(scene, world, weather, sequences, plan);
     plan.decisions = decisions_of(scene, world, weather, sequences);
+    estimate(scene, world, weather, sequences, plan);
     return plan;
 }
 

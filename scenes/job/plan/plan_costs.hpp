@@ -50,8 +50,13 @@ struct PlanCosts {
     double program = 75e6;             // and its libraries
     double other_scene = 20e6;         // a scene with an uncertain value changed, and
     double other_facet = 1200.0;       // each of its facets
-    double facet = 600.0;              // stored once
-    double network_facet = 1800.0;     // of a network, and its rays to others
+    double facet = 500.0;              // geometry, rays, views
+    double solved_facet = 450.0;       // more of those that are solved: their columns,
+    double solved_step = 7.0;          // each step of a day: temperature, longwave, its exchange,
+    double sunlit_step = 6.0;          // and more of steps with the sun up
+    double solved_per_pixel = 0.2;     // of those that pictures need, if only these are solved
+    double pictured_facet = 700.0;     // light and radiosity, in pictures
+    double network_facet = 4000.0;     // of a network, and its rays to others
     double network_facet_step = 24.0;  // and step, of no more than a day
     double freezing_facet = 8000.0;    // with freezing water, in lanes
     double view_pixel = 160.0;

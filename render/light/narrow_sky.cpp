@@ -115,7 +115,8 @@ NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
             }
         }
         gram.diagonal() *= 1.0 + slack;
-        const Numbers factors = gram.llt().solve(shares.cast<double>()).cast<float>();
+        // LDLT, as nothing is left of a facet that faces down: a matrix of zeros.
+        const Numbers factors = gram.ldlt().solve(shares.cast<double>()).cast<float>();
         found = before.cwiseProduct(directions.at * factors);
     }
     const float counts = narrowness(sky[0]);

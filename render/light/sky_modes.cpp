@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/light/lanes.hpp"
+
 namespace diurna {
 
 namespace {
@@ -42,24 +44,31 @@ Eigen::VectorXd left_column(const Band& band, const std::vector<double>& left) {
 
 void SkyModes::of(float sky_view, const UnevenView& uneven, std::span<const float> narrow_view,
                   const std::array<float, 3>& up, float* out) const {
-    std::array<float, heights * numbers> own;
-    for (std::size_t h = 0; h < heights; ++h) {
-        own[h * numbers] = up[h] * sky_view;
-        for (std::size_t k = 0; k < uneven_functions; ++k) {
-            own[h * numbers + 1 + k] = up[h] * uneven[k];
+    const bool left = !narrow_view.empty() && narrow.size() > 0;
+    const auto rows = std::size_t(share.rows());
+    for (std::size_t first = 0; first < rows; first += lane_count) {
+        Lane sum = Lane::Zero();
+        for (std::size_t h = 0; h < heights; ++h) {
+            if (up[h] == 0.0f) continue;
+            const float* column = share.data() + h * numbers * rows + first;
+            Lane here = sky_view * load(column);
+            for (std::size_t k = 0; k < uneven_functions; ++k) {
+                here += uneven[k] * load(column + (k + 1) * rows);
+            }
+            if (left) {
+                const float* direction = narrow.data() + h * sky_directions * rows + first;
+                Lane more = Lane::Zero();
+                for (std::size_t i = 0; i < sky_directions; ++i) {
+                    more += narrow_view[i] * load(direction + i * rows);
+                }
+                here += more;
+            }
+            sum += up[h] * here;
+        }
+        for (std::size_t k = first; k < std::min(size(), first + lane_count); ++k) {
+            out[k] = sum[Eigen::Index(k - first)];
         }
     }
-    Eigen::Map<Eigen::VectorXf>(out, share.rows()) =
-        share * Eigen::Map<const Eigen::VectorXf>(own.data(), Eigen::Index(own.size()));
-    if (narrow_view.empty() || narrow.size() == 0) return;
-    std::array<float, heights * sky_directions> left;
-    for (std::size_t h = 0; h < heights; ++h) {
-        for (std::size_t i = 0; i < sky_directions; ++i) {
-            left[h * sky_directions + i] = up[h] * narrow_view[i];
-        }
-    }
-    Eigen::Map<Eigen::VectorXf>(out, share.rows()) +=
-        narrow * Eigen::Map<const Eigen::VectorXf>(left.data(), Eigen::Index(left.size()));
 }
 
 SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& incident) {
@@ -77,14 +86,15 @@ SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& inciden
     for (Eigen::Index k = parts.eigenvalues().size(); k-- > 0;) {
         if (greatest > 0.0 && parts.eigenvalues()[k] > least * least * greatest) kept.push_back(k);
     }
-    modes.share.resize(Eigen::Index(kept.size()), light.cols());
+    const auto rows = Eigen::Index(rounded_up(kept.size()));
+    modes.share.setZero(rows, light.cols());
     const bool left = !incident[0].left_scattered.empty();
     Eigen::MatrixXd left_light(light.rows(), left ? Eigen::Index(heights * sky_directions) : 0);
     for (Eigen::Index i = 0; i < left_light.cols(); ++i) {
         const auto h = std::size_t(i) / sky_directions, at = std::size_t(i) % sky_directions;
         left_light.col(i) = left_column(band, incident[h].left_scattered[at]);
     }
-    modes.narrow.resize(Eigen::Index(kept.size()), left_light.cols());
+    modes.narrow.setZero(rows, left_light.cols());
     for (const Eigen::Index k : kept) {
         const Eigen::VectorXd way = parts.eigenvectors().col(k), spectrum = light * way;
         const auto row = Eigen::Index(modes.spectrum.size());

@@ -17,8 +17,9 @@ namespace diurna {
 struct SkyModes {
     static constexpr std::size_t most = 3 * (1 + uneven_functions);
     std::vector<LightByOrigin> spectrum;  // (mode) [W m⁻² sr⁻¹ µm⁻¹]
-    Eigen::MatrixXf share;                // (mode, height × function) of a facet's numbers
-    Eigen::MatrixXf narrow;               // (mode, height × direction) of its NarrowView
+    // Rows of modes, and of zeros up to whole lanes (render/light/lanes.hpp).
+    Eigen::MatrixXf share;   // (mode, height × function) of a facet's numbers
+    Eigen::MatrixXf narrow;  // (mode, height × direction) of its NarrowView
 
     std::size_t size() const { return spectrum.size(); }
     /// Coefficients of a facet.

@@ -41,8 +41,7 @@ class BandRows {
         room_behind_ = !optics_.room.empty() && !material.see_through;
         up_ = height_weights(lit.height[i]);
         heat_ = glow(band.band, double{light.state.temperature[i]});
-        band.sky.of(lit.sky_view[i], light.state.uneven[i], light.state.narrow_of(i), up_,
-                    sky_.data());
+        add_sky(light, i);
         sunlight_ = double{light.state.sunlight[i]};
         Eigen::VectorXd modes(static_cast<Eigen::Index>(arriving.size()));
         for (std::size_t k = 0; k < arriving.size(); ++k) {
@@ -60,22 +59,35 @@ class BandRows {
     }
 
  private:
+    void add_sky(const SceneLight& light, std::size_t i) {
+        const LitFacets& lit = light.lit;
+        std::array<float, SkyModes::most> share;
+        band_.sky.of(lit.sky_view[i], light.state.uneven[i], light.state.narrow_of(i), up_,
+                     share.data());
+        const std::vector<double>& weight = band_.band.weight;
+        for (std::size_t o = 1; o < origin_count; ++o) {
+            sky_[o].assign(weight.size(), 0.0);
+            for (std::size_t m = 0; m < band_.sky.size(); ++m) {
+                const std::vector<double>& mode = band_.sky.spectrum[m][o];
+                if (mode.empty()) continue;
+                for (std::size_t k = 0; k < weight.size(); ++k) {
+                    sky_[o][k] += weight[k] * double{share[m]} * mode[k];
+                }
+            }
+        }
+    }
+
     void add_node(std::size_t k, std::array<double, all_rows>& sum) const {
         const double w = band_.band.weight[k];
         const double heat = w * heat_[k];
         std::array<double, origin_count> around = band_.basis.by_origin(arriving_, k), sky{};
         for (double& x : around) x *= band_.basis.root_weight[static_cast<Eigen::Index>(k)];
         double of_sun = 0.0;
-        for (std::size_t h = 0; h < 3; ++h) {
+        for (std::size_t h = 0; sunlight_ > 0.0 && h < 3; ++h) {
             const double up = w * double{up_[h]};
             of_sun += up * sunlight_ * band_.incident[h].from_sun(k);
         }
-        for (std::size_t m = 0; m < band_.sky.size(); ++m) {
-            for (std::size_t o = 0; o < origin_count; ++o) {
-                const std::vector<double>& mode = band_.sky.spectrum[m][o];
-                if (!mode.empty()) sky[o] += w * double{sky_[m]} * mode[k];
-            }
-        }
+        for (std::size_t o = 1; o < origin_count; ++o) sky[o] = sky_[o][k];
         sum[0] += heat;
         for (std::size_t o = 0; o < origin_count; ++o) sum[1 + o] += around[o];
         for (std::size_t o = 1; o < origin_count; ++o) sum[origin_count + o] += sky[o];
@@ -100,8 +112,8 @@ class BandRows {
     std::array<float, 3> up_{};
     std::vector<double> heat_;  // (node)
     double sunlight_ = 0.0;
-    std::array<float, SkyModes::most> sky_{};
-    Eigen::VectorXd arriving_;  // a sum of modes
+    std::array<std::vector<double>, origin_count> sky_{};  // (origin)(node) weighted
+    Eigen::VectorXd arriving_;                             // a sum of modes
 };
 
 }  // namespace

@@ -254,6 +254,7 @@ class Job {
         unsynced.sync();
         report_.stages = progress_.stages();
         manifest_.outputs = report_.files;
+        manifest_.digests = ledger.digests();
         manifest_.stages = report_.stages;
         write_manifest(out_, shown.scene, manifest_);
     }

@@ -122,7 +122,9 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
         json["inputs"][input.path.string()] = input.sha256;
     }
     for (const std::string& name : manifest.outputs) {
-        json["outputs"][name] = sha256_of_file(folder / name);
+        const auto known = manifest.digests.find(name);
+        json["outputs"][name] =
+            known != manifest.digests.end() ? known->second : sha256_of_file(folder / name);
     }
     for (const Progress::Stage& stage : manifest.stages)
         json["seconds"][stage.name] = stage.seconds;

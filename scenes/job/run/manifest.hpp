@@ -39,6 +39,7 @@ struct Manifest {
     std::string start{};                 // how the heat balance's start was computed; effect
     std::string not_converged{};         // how far the temperatures miss the tolerance
     std::vector<std::string> outputs{};  // files of the folder; empty: running
+    std::map<std::string, std::string> digests{};  // SHA-256 of outputs, where known
     std::vector<Progress::Stage> stages{};
 };
 

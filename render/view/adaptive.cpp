@@ -103,6 +103,11 @@ std::vector<double> variance_of_one(const View& view, std::span<const Appearance
     return own;
 }
 
+double sampling_error(const View& view, std::span<const Appearance> appearances, int samples) {
+    const std::vector<double> of_one = variance_of_one(view, appearances, samples);
+    return error_of(of_one, std::vector<int>(of_one.size(), samples), samples);
+}
+
 std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options) {
     std::vector<double> need(of_one.size());
     double mean = 0.0;

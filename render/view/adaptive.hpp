@@ -46,6 +46,9 @@ std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& 
 std::vector<double> variance_of_one(const View& view, std::span<const Appearance> appearances,
                                     int samples);
 
+/// [K] View::sampling_error of a view with the same number of samples in every pixel, from 2 on.
+double sampling_error(const View& view, std::span<const Appearance> appearances, int samples);
+
 /// Samples of each pixel that reach the tolerance at the lowest total cost: for a given total of
 /// samples the sum of A n^-3/2 over the picture is least with n in proportion to A^2/5 (as Neyman
 /// 1934 for n^-1), and its mean is the square of the tolerance with n = A^2/5 (mean A^2/5 /

@@ -142,7 +142,8 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     run_one(std::move(scene), job);
 }
 
-void render_verb(const SceneArguments& a, JobOptions job, const std::vector<std::string>& only) {
+void render_verb(SceneArguments a, JobOptions job, const std::vector<std::string>& only) {
+    take_rounds(job.temperatures, a.settings);
     Scene scene = a.read();
     set_job(a, job);
     job.pictures.only = only;

@@ -9,6 +9,7 @@
 #include "scenes/app/commands/number_option.hpp"
 #include "scenes/job/input/scene_file.hpp"
 #include "scenes/job/plan/memory_limit.hpp"
+#include "scenes/job/run/rounds.hpp"
 
 namespace diurna {
 
@@ -29,6 +30,14 @@ std::shared_ptr<const StageStore> SceneArguments::stages() const {
 
 double SceneArguments::memory() const {
     return max_memory.empty() ? 0.0 : bytes_reported(max_memory);
+}
+
+void take_rounds(const std::filesystem::path& temperatures, std::vector<std::string>& settings) {
+    const std::vector<std::string> added = rounds_of_temperatures(temperatures, settings);
+    if (added.empty()) return;
+    settings.insert(settings.end(), added.begin(), added.end());
+    fmt::print(stderr, "note: {} was computed with rounds: {} {} taken from its manifest\n",
+               temperatures.string(), fmt::join(added, ", "), added.size() == 1 ? "is" : "are");
 }
 
 void tell_of_sweep(const Scene& scene) {

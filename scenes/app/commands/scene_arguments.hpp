@@ -34,6 +34,10 @@ struct SceneArguments {
     std::shared_ptr<const StageStore> stages() const;
 };
 
+/// Adds the settings of the rounds of the run that wrote a file of temperatures
+/// (scenes/job/run/rounds.hpp), and prints a note.
+void take_rounds(const std::filesystem::path& temperatures, std::vector<std::string>& settings);
+
 /// A note on a scene with a [sweep], for verbs that ignore variants.
 void tell_of_sweep(const Scene& scene);
 

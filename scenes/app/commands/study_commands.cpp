@@ -23,8 +23,10 @@ struct StudyArguments {
 void study_verb(const StudyKind& kind, const SceneArguments& a, const StudyArguments& own) {
     set_thread_count(a.threads);
     const std::filesystem::path out = own.out.empty() ? "." : own.out;
+    std::vector<std::string> settings = a.settings;
+    take_rounds(own.temperatures, settings);
     const StudyFindings found = kind.find({.scene = a.scene,
-                                           .settings = a.settings,
+                                           .settings = settings,
                                            .allow_outside = a.allow_outside,
                                            .temperatures = own.temperatures,
                                            .out = out,

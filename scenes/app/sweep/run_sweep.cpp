@@ -138,7 +138,7 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
             result = solve_scene(stages, progress);
             progress.stage(StageId::write_temperatures);
             write_heat(prepared, inputs, result, file);
-            HeatReport reported = heat_report(prepared.scene, result);
+            HeatReport reported = heat_report(prepared, result);
             write_radiometers(stages, result, folder, reported);
             record = {"", "", reported.start, reported.not_converged, reported.notes, content};
             ++report.solved;

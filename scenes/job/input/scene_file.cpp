@@ -166,10 +166,10 @@ std::string picture_name(const ObserverInput& observer) {
 
 /// How and when the scene is looked at, and studies of what is seen.
 constexpr const char* of_pictures[] = {
-    "observer",           "instrument", "bands",       "cubes",       "labels",
-    "output.compression", "signature",  "detection",   "crossover",   "contrast",
-    "sensitivity",        "uncertain",  "scene.title", "time.frames", "time.frame_every_s",
-    "time.frames_at_sun"};
+    "observer",           "instrument",        "bands",       "cubes",     "labels",
+    "output.compression", "signature",         "detection",   "crossover", "contrast",
+    "sensitivity",        "uncertain",         "scene.title", "rounds",    "time.frames",
+    "time.frame_every_s", "time.frames_at_sun"};
 
 }  // namespace
 

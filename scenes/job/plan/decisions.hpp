@@ -38,6 +38,7 @@ struct Decisions {
     std::size_t views_cast_once = 0;  // observers whose view is cast once for all frames of a stage
     bool terms = false;               // planes of the radiance's terms
     std::size_t uncertain = 0;        // values: planes sigma.BAND
+    int rounds = 0;                   // of finer settings, at most (scenes/job/run/rounds.hpp)
 };
 
 /// - sequences: of the observers, in the order of the scene; may be empty

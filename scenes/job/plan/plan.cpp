@@ -315,12 +315,15 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     // Program and libraries, and what a facet has once; then the heat balance, or temperatures and
     // views, of one observer at a time.
     const double others = double(scene.uncertain.size());  // scenes with a value changed
+    const double object_facets =
+        std::min(facets - double(world.ground_facets), solved_facets(scene, plan, networks));
     const double of_day = std::min(1.0, day_steps / std::max(1.0, steps));
     const double heat =
         solved_facets(scene, plan, networks) *
             (costs.solved_facet +
              of_day * (costs.solved_step * steps + costs.sunlit_step * sunlit)) +
         networks * (costs.network_facet + costs.network_facet_step * of_day * steps) +
+        costs.object_ray * object_facets * std::max(0, scene.object_sky_rays - 32) +
         costs.freezing_facet * points.freezing;
     const double pictures = plan.memory + work.largest_view * (1.0 + others) +
                             4.0 * values * (1.0 + others) +

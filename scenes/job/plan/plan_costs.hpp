@@ -56,7 +56,9 @@ struct PlanCosts {
     double sunlit_step = 6.0;          // and more of steps with the sun up
     double solved_per_pixel = 0.2;     // of those that pictures need, if only these are solved
     double pictured_facet = 700.0;     // light and radiosity, in pictures
-    double network_facet = 4000.0;     // of a network, and its rays to others
+    double network_facet = 1800.0;     // of a network, and
+    double object_ray = 9.0;           // each ray to the sky of an object's facet beyond 32: its
+                                       // row of view factors
     double network_facet_step = 24.0;  // and step, of no more than a day
     double freezing_facet = 8000.0;    // with freezing water, in lanes
     double view_pixel = 160.0;

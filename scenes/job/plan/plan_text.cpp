@@ -112,6 +112,18 @@ std::vector<PlanRow> plan_rows(const Plan& plan) {
                                       cast_once, number_of(plan.observers, "observer")),
              .error = 0.0,
              .error_unit = "W m-2 sr-1"});
+        rows.push_back(
+            {.what = "rounds of finer settings",
+             .computed = decisions.rounds > 0,
+             .why = decisions.rounds > 0
+                        ? fmt::format("at most {} where the surface check finds more than "
+                                      "tolerance_K: the heat balance again, with more "
+                                      "rays or edges divided by up to 2; not in the time "
+                                      "above",
+                                      decisions.rounds)
+                        : "rounds = 0, tolerance_K = 0, or no surface check",
+             .error = 0.0,
+             .error_unit = "K"});
         const std::size_t uncertain = decisions.uncertain;
         rows.push_back({.what = "standard deviation as planes",
                         .computed = uncertain > 0,

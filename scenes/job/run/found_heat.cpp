@@ -47,10 +47,14 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
     if (const auto bytes = store == nullptr ? std::nullopt : store->find(stage, key)) {
         FoundHeat found = heat_of(*bytes);
         const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
-        if (auto field = at_instants(wanted, std::move(found.temperature))) {
+        HeatReport report = heat_report_of(found.reported);
+        // Rounds follow from places in these pictures, with the cache or without.
+        const bool checked =
+            prepared.plan.decisions.rounds == 0 || report.checked_in == pictures_key(prepared);
+        auto field = checked ? at_instants(wanted, std::move(found.temperature)) : std::nullopt;
+        if (field) {
             store->note_taken(stage, key);
-            HeatReport report = heat_report_of(found.reported);
-            drop_check_of_others(prepared.scene, report);
+            drop_check_of_others(prepared, report);
             return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},
                     .solved = false,
                     .report = std::move(report)};
@@ -58,7 +62,7 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
     }
     const auto begun = std::chrono::steady_clock::now();
     SolvedScene solved = solve_scene(stages, progress, decision);
-    HeatReport report = heat_report(prepared.scene, solved);
+    HeatReport report = heat_report(prepared, solved);
     report.next = round_after(solved.check, prepared.scene);
     SceneHeat heat{.result = std::move(solved), .report = std::move(report)};
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;

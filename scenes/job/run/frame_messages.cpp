@@ -37,7 +37,7 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
     if (const std::string samples = worst_note(reported, "samples"); !samples.empty()) {
         lines.push_back("samples: pictures of " + observer.name + " differ by " + samples +
                         " from those with unlimited rays per pixel (estimated from differences "
-                        "within pixels)");
+                        "within pixels; without edges of plumes and what mirrors show)");
     }
     if (const std::string water = worst_note(reported, "water"); !water.empty()) {
         lines.push_back("wet and snow-covered surfaces, frame with most of them: " + observer.name +

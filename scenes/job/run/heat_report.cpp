@@ -6,7 +6,7 @@
 
 #include "scenes/job/run/check_error.hpp"
 #include "scenes/job/run/heat.hpp"
-#include "scenes/job/store/digest.hpp"
+#include "scenes/job/store/heat_key.hpp"
 
 namespace diurna {
 
@@ -28,13 +28,13 @@ std::vector<std::pair<std::string, std::string>> rows_of(const SolveReport& solv
 
 }  // namespace
 
-HeatReport heat_report(const Scene& scene, const SpanResult& result) {
+HeatReport heat_report(const Prepared& prepared, const SpanResult& result) {
     HeatReport report{.not_converged = not_converged(result.report),
                       .start = result.start,
                       .notes = result.notes};
     for (const std::string& note : result.notes) {
         if (!note.starts_with(check_begins)) continue;
-        report.checked_in = sha256(scene.said);
+        report.checked_in = pictures_key(prepared);
         report.rows.emplace_back(facets_row, note.substr(std::string(check_begins).size() + 1));
     }
     const auto rows = rows_of(result.report);
@@ -42,8 +42,8 @@ HeatReport heat_report(const Scene& scene, const SpanResult& result) {
     return report;
 }
 
-void drop_check_of_others(const Scene& scene, HeatReport& report) {
-    if (report.checked_in == sha256(scene.said)) return;
+void drop_check_of_others(const Prepared& prepared, HeatReport& report) {
+    if (report.checked_in == pictures_key(prepared)) return;
     report.next = {};
     const std::string instead =
         "not measured in these pictures: temperatures are from the cache, checked in an earlier "

@@ -18,18 +18,17 @@ struct HeatReport {
     std::string start{};          // how the start was found, and its effect
     std::vector<std::string> notes{};
     std::vector<std::pair<std::string, std::string>> rows{};  // of the report's table of errors
-    /// Digest of the scene in whose pictures check points were drawn
-    /// (scenes/job/run/check_error.hpp);
-    /// "": none were.
+    /// pictures_key() of the pictures in which check points were drawn
+    /// (scenes/job/run/check_error.hpp); "": none were.
     std::string checked_in{};
     Round next{};  // that the check points ask for (scenes/job/run/rounds.hpp)
 };
 
-HeatReport heat_report(const Scene& scene, const SpanResult& result);
+HeatReport heat_report(const Prepared& prepared, const SpanResult& result);
 
 /// Says that the facets' error was not measured if the check points were drawn in the pictures of
 /// another scene.
-void drop_check_of_others(const Scene& scene, HeatReport& report);
+void drop_check_of_others(const Prepared& prepared, HeatReport& report);
 
 /// As a ledger and the cache keep it.
 Messages as_messages(const HeatReport& report);

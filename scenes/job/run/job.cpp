@@ -105,8 +105,10 @@ class Job {
 
     /// The same job with finer settings.
     std::unique_ptr<Job> another_round() {
-        return std::make_unique<Job>(
+        auto job = std::make_unique<Job>(
             std::move(*finer_), with_finer(options_, rounds_.back().settings), rounds_, progress_);
+        job->continues_ = earlier_key_ == manifest_.key;
+        return job;
     }
 
  private:
@@ -138,7 +140,7 @@ class Job {
     }
     /// Takes heat from another run; whether the folder holds anything that is used again.
     bool take_earlier() {
-        earlier_key_ = ledger_key(out_);
+        earlier_key_ = continues_ ? manifest_.key : ledger_key(out_);
         const bool begun = options_.resume && earlier_key_ == manifest_.key;
         const bool given = !options_.from.empty() && !begun;
         if (given) gather_parts({options_.from}, out_, manifest_.key, report_.files);
@@ -155,6 +157,14 @@ class Job {
         progress_.tell(fmt::format("round {}: {}", rounds_.size() + 1, next.missed));
         progress_.stage(StageId::terrain);
         finer_.emplace(prepare(options_.scene_with(next.settings)));
+        const bool edges_alone =
+            next.settings.size() == 1 && next.settings.front().starts_with("scene.finer_edges=");
+        if (edges_alone && finer_->world.surfaces().size() == prepared_.world.surfaces().size()) {
+            heat.notes.emplace_back(
+                "no further round: the ground's facets are as fine as its posts already");
+            finer_.reset();
+            return false;
+        }
         try {
             check_memory(finer_->plan, options_.max_memory);
         } catch (const InputError& error) {
@@ -271,6 +281,7 @@ class Job {
     JobReport report_{};
     ChangedScenes changed_{};    // for the planes sigma.BAND
     SpanCourse course_{};        // of the heat balance, if they need it
+    bool continues_ = false;     // what it began with before its rounds is in the folder
     std::string earlier_key_{};  // of the run that the folder held; "": none
 };
 
@@ -278,7 +289,6 @@ class Job {
 std::vector<fs::path> earlier_folders(const JobOptions& options) {
     std::vector<fs::path> folders = options.parts;
     if (!options.from.empty()) folders.push_back(options.from);
-    if (!options.temperatures.empty()) folders.push_back(options.temperatures.parent_path());
     if (options.resume) folders.push_back(options.out);
     return folders;
 }

@@ -60,6 +60,20 @@ std::vector<std::string> after_rounds(std::vector<std::string> settings,
     return settings;
 }
 
+std::vector<std::string> rounds_of_temperatures(const std::filesystem::path& file,
+                                                const std::vector<std::string>& given) {
+    if (file.empty()) return {};
+    std::vector<std::string> settings;
+    for (const auto& [missed, set] : listed_outputs(file.parent_path()).rounds) {
+        settings = with_settings(std::move(settings), set);
+    }
+    std::erase_if(settings, [&](const std::string& one) {
+        return std::any_of(given.begin(), given.end(),
+                           [&](const std::string& other) { return key_of(other) == key_of(one); });
+    });
+    return settings;
+}
+
 std::vector<Round> earlier_rounds(const std::vector<std::filesystem::path>& folders,
                                   const std::vector<std::string>& settings, const Scene& scene) {
     if (folders.empty()) return {};

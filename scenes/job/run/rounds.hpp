@@ -35,4 +35,9 @@ std::vector<std::string> after_rounds(std::vector<std::string> settings,
 std::vector<Round> earlier_rounds(const std::vector<std::filesystem::path>& folders,
                                   const std::vector<std::string>& settings, const Scene& scene);
 
+/// Settings of the rounds of the run that wrote a file of temperatures, from the manifest.json
+/// beside it, except those whose keys are given; empty without one.
+std::vector<std::string> rounds_of_temperatures(const std::filesystem::path& file,
+                                                const std::vector<std::string>& given);
+
 }  // namespace diurna

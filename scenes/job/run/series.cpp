@@ -98,12 +98,15 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
         adaptive = finer_at_edges(s.input.samples);
         looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     }
+    const bool estimated = !adaptive && asked.empty() && s.input.samples >= 2;
+    if (estimated) looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     std::vector<Appearance> looks;
-    if (adaptive) looks = appearances(prepared, frames, views, field, looked_at);
+    if (adaptive || estimated) looks = appearances(prepared, frames, views, field, looked_at);
     if (!s.input.adaptive) without_textures(prepared.world.texture_levels, looks);
     s.view = adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks, *adaptive,
                                            s.sampling)
                       : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
+    if (estimated) s.view.sampling_error = sampling_error(s.view, looks, s.input.samples);
     s.behind =
         behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);

@@ -32,6 +32,14 @@ void add_views(const Prepared& prepared, KeyFacts& facts) {
 
 }  // namespace
 
+std::string pictures_key(const Prepared& prepared) {
+    KeyFacts facts = stage_facts("pictures");
+    add_views(prepared, facts);
+    facts.number(static_cast<double>(prepared.scene.seed));
+    facts.number(prepared.scene.check_points);
+    return facts.digest();
+}
+
 std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
                      double tolerance) {
     const Scene& scene = prepared.scene;

@@ -19,4 +19,8 @@ namespace diurna {
 std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inputs,
                      double tolerance);
 
+/// Key of what the surface check (scenes/job/run/check_points.hpp) draws its places from: poses and
+/// instants of the pictures, samples, seed, number of places.
+std::string pictures_key(const Prepared& prepared);
+
 }  // namespace diurna

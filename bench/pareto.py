@@ -2,10 +2,11 @@
 """Run time against error of pictures: bench/pareto.py DIURNA [--scenes a,b] [--tolerances 2,0.1] [--out FILE.csv] [--check FILE.csv]
 
 For each scene and `tolerance_K`: processor seconds (user and system, one thread), peak memory, the error that the run itself
-measured (`diurna audit`, 1000 places, with its 95 % interval; with the error of samples that its notes give) and the true one: the difference of apparent temperature in 8-12 um
-to a reference run, over pixels that show the same object and material in both. The reference has edges, mesh tolerance and
-steps half as large, 4 times the samples in pixels and the rays to the sky, 16 rays to the sun's disc, and other random numbers; what is left of its own
-error is about a quarter of the default's. Seconds are also given as a ratio to a loop that this script times beside each run
+measured (`diurna audit`, 1000 places, with its 95 % interval, and with the error of samples that its notes give) and the true one: the difference of apparent
+temperature in 8-12 um to a reference run, over pixels that show the same object and material in both. The reference has edges,
+mesh tolerance and steps half as large, 4 times the samples in pixels and the rays to the sky, 16 rays to the sun's disc, and
+other random numbers; what is left of its own error is about a quarter of the default's. Below 0.1 K rounds (docs/reference/
+faster-runs.md) make a run as fine as the reference or finer: compare such runs with one of a larger scene.finer_edges. Seconds are also given as a ratio to a loop that this script times beside each run
 (`calibration_s`: products of matrices), so that another machine can be compared: --check runs the scenes of a
 committed file again and fails where the ratio grew by more than 25 %, or the true error by more than 10 %.
 
@@ -18,7 +19,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOLERANCES = [2, 1, 0.5, 0.2, 0.1, 0.05, 0.02]
+TOLERANCES = [2, 1, 0.5, 0.2, 0.1]
 FIELDS = ["scene", "tolerance_K", "processor_s", "calibration_s", "ratio", "peak_MB", "facets", "reported_rms_K", "reported_low_K",
           "reported_high_K", "true_rms_K", "true_99_K", "pixels"]
 # Pictures that are rendered and compared: those in which `audit` draws its places; of the crossover's instants three.

@@ -83,7 +83,8 @@ class CornerHeat {
         for_each_index(
             fits.size(),
             [&](std::size_t c) {
-                if (fits.of_chosen[c] && whole_[c].one) whole_[c].common = common(c, [](std::size_t) { return true; });
+                if (fits.of_chosen[c] && whole_[c].one)
+                    whole_[c].common = common(c, [](std::size_t) { return true; });
             },
             1024);
     }

@@ -1,17 +1,9 @@
 #pragma once
 
-#include <vector>
-
+#include "thermal/solve/moved_longwave.hpp"
 #include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
-
-/// Memory that the exchanges of a solve reuse.
-struct ExchangeRoom {
-    PackedField moved{};  // what arrives at facets, or leaves them
-    // of a run of instants, (facet, instant): the exchange computes one run after the other
-    std::vector<float> leaving{};
-};
 
 /// Whether any facet sees another one, or ground beyond the scene's edge.
 bool exchanging(const SolveInput& input);

@@ -84,8 +84,8 @@ class DailySunExposure {
     Instant end_;
     const StageStore* store_;
     std::vector<std::uint8_t> asked_for_{};  // (facet known to rays) 1; empty: all
-    std::vector<std::uint32_t> facet_{};     // (column) facet; if some are asked for
-    std::vector<std::uint32_t> column_{};    // (surface of those asked for) column of its facet
+    std::vector<std::uint32_t> facet_{};     // (column) facet; if only some are needed
+    std::vector<std::uint32_t> column_{};    // (surface of those) column of its facet
     std::optional<KeptSun> before_, after_;  // days computed completely, (instant, column)
     double asked_ = 0.0, taken_over_ = 0.0;  // instants and facets
 };

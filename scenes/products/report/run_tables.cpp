@@ -151,7 +151,7 @@ std::string inputs_table(const JobReport& report) {
         "</table>\n<details><summary>Data of the program</summary>\n<table class=\"facts\">\n" +
         program + "</table></details>\n";
     if (!report.settings.empty()) {
-        out += "<p>Command-line settings:</p>\n<ul>\n";
+        out += "<p>Settings of the command line and of rounds:</p>\n<ul>\n";
         for (const std::string& setting : report.settings) {
             out += "<li>" + escaped(setting) + "</li>\n";
         }

@@ -1,0 +1,190 @@
+#include "thermal/solve/moved_longwave.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/visibility/interreflection.hpp"
+
+namespace diurna {
+
+float largest(std::span<const float> x) {
+    float most = 0.0f;
+    for (const float v : x) most = std::max(most, std::abs(v));
+    return most;
+}
+
+void leaving_of(const SolveState& solve, const MovedLongwave& field, std::size_t run, std::size_t f,
+                float* out) {
+    const std::size_t width = field.moved().width(run);
+    const float share = field.leaves[f] ? 1.0f
+                        : field.unsent  ? 1.0f - solve.optics.emissivity[f]
+                                        : 0.0f;
+    if (share > 0.0f) {
+        field.moved().get(run, f, out);
+        for (std::size_t k = 0; k < width; ++k) out[k] *= share;
+    } else {
+        std::fill_n(out, width, 0.0f);
+    }
+    if (!field.is_back(f)) return;
+    float more[PackedField::run];
+    field.of_back.get(run, field.back[f], more);
+    for (std::size_t k = 0; k < width; ++k) out[k] += more[k];
+}
+
+void add_to(PackedField& values, std::size_t run, std::size_t f, const float* more) {
+    float sum[PackedField::run];
+    values.get(run, f, sum);
+    for (std::size_t k = 0; k < values.width(run); ++k) sum[k] += more[k];
+    values.put(run, f, sum);
+}
+
+namespace {
+
+constexpr std::size_t facets_at_once = 256;
+
+/// The sky's longwave at the facets' heights beyond that at the weather's, at one instant.
+class SkyBeyond {
+ public:
+    SkyBeyond(const SolveState& solve, std::size_t i) : tiers_(solve.tiers) {
+        if (tiers_.flat()) return;
+        const double here = solve.sky[i].longwave_down;
+        for (std::size_t tier = 0; tier < tiers_.size(); ++tier) {
+            beyond_.push_back(float(solve.tier_sky[i * tiers_.size() + tier].longwave_down - here));
+        }
+    }
+    float operator()(std::size_t f) const {
+        if (beyond_.empty()) return 0.0f;
+        const float* const low = &beyond_[tiers_.low[f]];
+        return low[0] + tiers_.share[f] * (low[1] - low[0]);
+    }
+
+ private:
+    const AirTiers& tiers_;
+    std::vector<float> beyond_;  // (tier)
+};
+
+}  // namespace
+
+void recompute_longwave(SolveState& solve, const Level& level, MovedLongwave& field) {
+    const bool heights = !solve.tiers.flat();
+    std::vector<float>& leaving = field.room.leaving;
+    for (std::size_t run = 0; run < field.moved().runs(); ++run) {
+        const std::size_t width = field.moved().width(run), first = run * PackedField::run;
+        std::vector<SkyBeyond> beyond;
+        for (std::size_t k = 0; k < width; ++k) {
+            beyond.emplace_back(solve, (first + k) * level.stride);
+        }
+        leaving.resize(solve.facets * width);
+        for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+            float kelvin[PackedField::run], excess[PackedField::run];
+            for (std::size_t f = begin; f < end; ++f) {
+                solve.kelvin.get(run, f, kelvin);
+                solve.excess.get(run, f, excess);
+                for (std::size_t k = 0; k < width; ++k) {
+                    const std::size_t i = (first + k) * level.stride;
+                    // What falls on it beyond the sky: of neighbours, of a sky that differs by
+                    // height and by direction.
+                    const double tilt =
+                        solve.tilt.empty()
+                            ? 0.0
+                            : solve.at_facet(&SkyState::tilted_longwave, i, f) * solve.tilt[f];
+                    leaving[f * width + k] =
+                        leaving_longwave(solve.optics.emissivity[f], solve.sky[i].longwave_down,
+                                         kelvin[k], excess[k] + beyond[k](f) + float(tilt));
+                }
+            }
+        });
+        for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+            float next[PackedField::run], change[PackedField::run];
+            for (std::size_t f = begin; f < end; ++f) {
+                arriving_longwave(solve.input.views, leaving, f, {next, width});
+                solve.excess.get(run, f, change);
+                float most = 0.0f;
+                for (std::size_t k = 0; k < width; ++k) {
+                    if (heights) next[k] -= (1.0f - solve.input.views.sky[f]) * beyond[k](f);
+                    change[k] = next[k] - change[k];
+                    most = std::max(most, std::abs(change[k]));
+                }
+                if (most <= solve.excess.step(run, f)) {
+                    std::fill_n(change, width, 0.0f);
+                } else {
+                    solve.excess.put(run, f, next);
+                    field.most[f] = std::max(field.most[f], most);
+                }
+                field.moved().put(run, f, change);
+            }
+        });
+    }
+}
+
+void reflect_longwave(SolveState& solve, float least, MovedLongwave& field) {
+    for_each_index(solve.facets, [&](std::size_t f) {
+        const float reflectance = 1.0f - solve.optics.emissivity[f];
+        const float back = field.to_and_fro(f, reflectance) - 1.0f;
+        const bool counts = back * field.most[f] > 0.1f * least;
+        for (std::size_t run = 0; counts && run < field.moved().runs(); ++run) {
+            float change[PackedField::run], more[PackedField::run];
+            field.moved().get(run, f, change);
+            for (std::size_t k = 0; k < field.moved().width(run); ++k) {
+                more[k] = back * change[k];
+                change[k] += more[k];
+            }
+            add_to(solve.excess, run, f, more);
+            field.moved().put(run, f, change);
+        }
+        if (counts) field.most[f] *= 1.0f + back;
+        field.sends[f] = f < solve.counted && reflectance * field.most[f] > least * field.open;
+    });
+}
+
+bool send_longwave(SolveState& solve, float least, int sweeps, MovedLongwave& field) {
+    const FacetViews& view = solve.input.views;
+    const SeenRows rows{
+        .row = view.others.row, .source = view.others.facet, .factor = view.others.factor};
+    const float scale = 1.0f / (least * field.open), nothing[PackedField::run] = {};
+    std::vector<float> counts(solve.facets), most(solve.facets, 0.0f);
+    std::vector<std::uint8_t> left(solve.facets, 0);
+    std::vector<float>& leaving = field.room.leaving;
+    for (std::size_t run = 0; run < field.moved().runs(); ++run) {
+        const std::size_t width = field.moved().width(run);
+        leaving.resize(solve.facets * width);
+        for_each_index(solve.facets, [&](std::size_t f) {
+            float* const out = leaving.data() + f * width;
+            leaving_of(solve, field, run, f, out);
+            field.moved().put(run, f, nothing);
+            counts[f] = field.sends[f] ? scale * largest({out, width}) : 0.0f;
+        });
+        interreflect(
+            rows, {.value = leaving.data(), .stride = width, .lanes = width, .counts = counts},
+            [&](std::size_t f, const float* now, float* unsent) {
+                const float reflectance = 1.0f - solve.optics.emissivity[f];
+                const float all = field.to_and_fro(f, reflectance);
+                float more[PackedField::run];
+                for (std::size_t k = 0; k < width; ++k) {
+                    more[k] = all * now[k];
+                    unsent[k] += reflectance * more[k];
+                }
+                add_to(field.moved(), run, f, more);
+                return f < solve.counted ? scale * largest({unsent, width}) : 0.0f;
+            },
+            sweeps);
+        for_each_index(solve.facets, [&](std::size_t f) {
+            float sum[PackedField::run];
+            field.moved().get(run, f, sum);
+            const float of_run = largest({sum, width});
+            left[f] |= counts[f] > 1.0f;
+            most[f] = std::max(most[f], of_run);
+            if (of_run > 0.0f) add_to(solve.excess, run, f, sum);
+        });
+    }
+    field.most.swap(most);
+    field.sends.swap(left);
+    std::fill(field.leaves.begin(), field.leaves.end(), std::uint8_t{0});
+    for (std::size_t b = 0; b < field.of_back.facets(); ++b) field.of_back.fill(b, 0.0f);
+    const bool any = std::find(field.sends.begin(), field.sends.end(), 1) != field.sends.end();
+    field.unsent = any;
+    return any;
+}
+
+}  // namespace diurna

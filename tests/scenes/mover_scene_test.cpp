@@ -69,6 +69,15 @@ Solved solved(const std::string& stands) {
     return {std::move(prepared), std::move(result)};
 }
 
+SolvedScene checked(const std::string& stands) {
+    const ScratchFolder folder("mover_check");
+    write_text(folder.path / "crate.obj", crate_mesh);
+    write_text(folder.path / "scene.toml", scene_with(stands));
+    const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
+    Progress silent(ProgressStyle::silent);
+    return solve_scene(Stages(prepared), silent, {.check_points = 48});
+}
+
 const std::string from_west_to_east = R"(trajectory = "road"
 [[trajectory]]
 name = "road"
@@ -104,6 +113,19 @@ TEST_CASE("a trajectory that stays in one place changes nothing",
     CAPTURE(worst_far);
     CHECK(std::sqrt(far / count) < 0.02);
     CHECK(std::sqrt(near / near_count) < 0.25);
+}
+
+// The same places of the same pictures, in one stage and in two that are alike.
+TEST_CASE("places are checked where an object moves",
+          "[scenes][mover][check_points][by_degenerate]") {
+    const std::string rests = "place_m = [-50.0, -50.0]\nheading_deg = 90.0\n";
+    const std::string moves = with(from_west_to_east, "[10.0, -50.0, 0.0]", "[-49.98, -50.0, 0.0]");
+    const SolvedScene still = checked(rests), goes = checked(moves);
+    CAPTURE(still.check.rms, goes.check.rms, still.check.worst_at, goes.check.worst_at);
+    CHECK(still.places > 20);
+    CHECK(goes.places + goes.unchecked == still.places + still.unchecked);
+    CHECK(goes.check.rms > 0.0);
+    CHECK(goes.check.rms == Approx(still.check.rms).epsilon(0.1));
 }
 
 TEST_CASE("what drives off leaves its scar and its shadow comes along", "[scenes][mover]") {

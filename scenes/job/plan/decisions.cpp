@@ -100,11 +100,8 @@ Decisions decisions_of(const Scene& scene, const World& world, const Weather& we
                                   [](const ObserverInput& observer) { return observer.terms; });
     decisions.uncertain = scene.uncertain.size();
     // As can_check() (scenes/job/run/heat.hpp).
-    const bool moving =
-        std::any_of(scene.terrain.objects.begin(), scene.terrain.objects.end(),
-                    [](const ObjectInput& object) { return !object.trajectory.empty(); });
-    const bool checked = scene.check_points > 0 && !moving && !scene.output.state &&
-                         scene.time.spin_up != SpanStart::state;
+    const bool checked =
+        scene.check_points > 0 && !scene.output.state && scene.time.spin_up != SpanStart::state;
     decisions.rounds = checked && scene.tolerance > 0.0 ? scene.rounds : 0;
     return decisions;
 }

@@ -40,8 +40,7 @@ Audit audit(const AuditedRun& run, Scene scene, int checks, const ProgressTo& to
     const Prepared prepared = prepare(std::move(scene));
     if (!can_check(prepared)) {
         throw InputError(prepared.scene.file.string(),
-                         "places cannot be solved separately: objects move, or a state is written "
-                         "or read");
+                         "places cannot be solved separately: a state is written or read");
     }
     check_start(prepared);
     const std::string key = job_key(run_inputs(prepared.scene), run.settings);
@@ -66,8 +65,9 @@ std::vector<std::string> audit_lines(const Audit& audit) {
     const std::string not_checked =
         audit.unchecked == 0
             ? ""
-            : fmt::format("not checked: {} on panes, nets, sheets, targets or copies",
-                          number_of(audit.unchecked, "drawn place"));
+            : fmt::format(
+                  "not checked: {} on panes, nets, sheets, targets, copies or moving objects",
+                  number_of(audit.unchecked, "drawn place"));
     if (audit.places == 0) {
         return {"no picture shows ground or a plain object: nothing was checked", not_checked};
     }

@@ -13,6 +13,7 @@
 #include "render/view/linear_facets.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
+#include "scenes/job/run/check_weights.hpp"
 #include "scenes/job/run/remembered_sun.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
@@ -24,7 +25,6 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_checked_instants = 24;
 constexpr std::size_t most_named = 4;  // materials
 
 /// The points' surfaces and all that share a corner with one, and levels of textures there.
@@ -58,7 +58,7 @@ std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
     constexpr int samples = 2;  // of the disc, for each past sun
     const TextureLevels& levels = prepared.world.texture_levels;
     std::vector<float> share(present.begin(), present.begin() + points.point.size());
-    std::vector<float> now(points.beside.facets.size());
+    std::vector<float> now(points.patch.size());
     for (std::size_t c = 0; c < past.course.size(); ++c) {
         std::vector<std::uint32_t> chosen;
         for (std::uint32_t k = 0; k < share.size(); ++k) {
@@ -67,7 +67,7 @@ std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
             share[k] = 0.0f;
         }
         for (const Eigen::Vector3d& to_sun : past.course[c]) {
-            sun_fraction(points.beside.facets, prepared.rays, to_sun, chosen, now,
+            sun_fraction(points.patch, prepared.rays, to_sun, chosen, now,
                          {.samples = samples, .seed = prepared.scene.seed});
             for (const std::uint32_t k : chosen) share[k] += now[k] / float(PastSun::quantiles);
         }
@@ -75,9 +75,10 @@ std::vector<float> remembered_at(const CheckPoints& points, const PastSun& past,
     return share;
 }
 
-AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
+AtPoints in_pictures(const SceneStage& stage, const CheckPoints& points,
                      std::span<const SurfaceId> near, Instant when,
                      std::span<const float> temperature) {
+    const auto& [prepared, views, store] = stage;
     AtPoints at{.warmer = std::vector<float>(points.point.size(), 0.0f),
                 .by_sun = std::vector<float>(points.point.size(), 0.0f)};
     std::vector<float>& warmer = at.warmer;
@@ -121,18 +122,31 @@ AtPoints in_pictures(const Prepared& prepared, const FacetViews& views, const Ch
     return at;
 }
 
+/// Squares [K²], weighted by pixels.
+struct Sum {
+    double squares = 0.0, pixels = 0.0;
+    std::size_t points = 0;
+
+    void add(double square, double weight) {
+        squares += weight * square;
+        pixels += weight;
+    }
+    double rms() const { return pixels > 0.0 ? std::sqrt(squares / pixels) : 0.0; }
+};
+
 /// [K] 2.5th and 97.5th percentile of the rms where points are drawn again with replacement.
-std::pair<double, double> interval(const std::vector<double>& of_point, std::size_t instants,
-                                   std::uint64_t seed) {
+std::pair<double, double> interval(const std::vector<Sum>& of_point, std::uint64_t seed) {
     constexpr std::size_t draws = 400;
     RandomStream random{hashed(seed)};
     std::vector<double> rms;
     for (std::size_t draw = 0; draw < draws; ++draw) {
-        double sum = 0.0;
+        Sum sum;
         for (std::size_t k = 0; k < of_point.size(); ++k) {
-            sum += of_point[std::size_t(random() * double(of_point.size()))];
+            const Sum& drawn = of_point[std::size_t(random() * double(of_point.size()))];
+            sum.squares += drawn.squares;
+            sum.pixels += drawn.pixels;
         }
-        rms.push_back(std::sqrt(sum / double(of_point.size() * instants)));
+        rms.push_back(sum.rms());
     }
     std::sort(rms.begin(), rms.end());
     return {rms[draws / 40], rms[draws - 1 - draws / 40]};
@@ -141,60 +155,69 @@ std::pair<double, double> interval(const std::vector<double>& of_point, std::siz
 /// What a facet's error of rays r explains of the error e at places on it, by regression: a picture
 /// averages around corners, so only a share of r is left there.
 struct Explained {
-    double cross = 0.0, own = 0.0;  // sums of e r and r² [K²]
+    double cross = 0.0, own = 0.0;  // sums of e r and r² [K²], weighted by pixels
 
-    void add(double e, double r) {
-        cross += e * r;
-        own += r * r;
+    void add(double e, double r, double weight) {
+        cross += weight * e * r;
+        own += weight * r * r;
     }
     /// [K²] Sum over the places; 0 where both do not go together.
     double squares() const { return cross > 0.0 ? cross * cross / own : 0.0; }
 };
 
-/// Squares [K²] and how many.
-struct Sum {
-    double squares = 0.0;
-    std::size_t points = 0;
-};
+/// The value that a hundredth of the pixels exceeds; (value, pixels).
+double percentile_99(std::vector<std::pair<double, double>> off) {
+    std::sort(off.begin(), off.end());
+    double all = 0.0, below = 0.0;
+    for (const auto& [value, pixels] : off) all += pixels;
+    for (const auto& [value, pixels] : off) {
+        below += pixels;
+        if (below >= 0.99 * all) return value;
+    }
+    return 0.0;
+}
 
 }  // namespace
 
-CheckError check_error(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
+CheckError check_error(const Stages& stages, const CheckPoints& points,
                        const TemperatureField& field, std::span<const float> patches) {
     CheckError error;
-    const std::size_t count = points.point.size(), all = field.instant.size();
-    if (count == 0 || all == 0) return error;
+    const Prepared& prepared = stages.scene();
+    const std::size_t count = points.point.size();
+    if (count == 0 || field.instant.empty()) return error;
+    const CheckWeights weights = check_weights(prepared, points, field.instant);
     const std::vector<SurfaceId> near = about(prepared.world, points);
     const FacetSet& surfaces = prepared.world.surfaces();
-    const std::size_t asked = std::min(all, most_checked_instants);
-    std::vector<double> off;
+    std::vector<std::pair<double, double>> off;  // [K], pixels
     std::map<std::uint32_t, Sum> observers;
     std::map<std::string, Sum> materials;
-    std::vector<double> of_point(count, 0.0);  // [K²] summed over instants
-    double squares = 0.0;
+    std::vector<Sum> of_point(count);
+    Sum sum;
     Explained of_ground, of_objects, of_sun;
-    for (std::size_t a = 0; a < asked; ++a) {
-        const std::size_t i = asked > 1 ? a * (all - 1) / (asked - 1) : 0;
+    for (std::size_t a = 0; a < weights.instant.size(); ++a) {
+        const std::size_t i = weights.instant[a];
         const std::span<const float> kelvin = field.at(i);
-        const AtPoints shown = in_pictures(prepared, views, points, near, field.instant[i], kelvin);
+        const AtPoints shown = in_pictures(stages.at_instant(field.instant[i]), points, near,
+                                           field.instant[i], kelvin);
         for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t f = index(points.point[k].surface);
+            const CheckPoint& point = points.point[k];
+            const double pixels = weights.pixels(a, point);
+            if (pixels == 0.0) continue;
+            const std::size_t f = index(point.surface);
+            const double apparent = double{weights.apparent[k]};
             const float* const patch = patches.data() + 2 * i * count;
-            const double e = double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]};
-            const double all_rays = double{kelvin[f]} - double{patch[count + k]};
-            const double sun =
-                std::clamp(double{shown.by_sun[k]}, -std::abs(all_rays), std::abs(all_rays));
-            Explained& sky =
-                prepared.world.on_ground(points.point[k].surface) ? of_ground : of_objects;
-            sky.add(e, all_rays - sun);
-            of_sun.add(e, sun);
-            off.push_back(std::abs(e));
-            squares += e * e;
-            of_point[k] += e * e;
+            const double e =
+                apparent * (double{kelvin[f]} + double{shown.warmer[k]} - double{patch[k]});
+            const double all_rays = apparent * (double{kelvin[f]} - double{patch[count + k]});
+            const double sun = std::clamp(apparent * double{shown.by_sun[k]}, -std::abs(all_rays),
+                                          std::abs(all_rays));
+            Explained& sky = prepared.world.on_ground(point.surface) ? of_ground : of_objects;
+            sky.add(e, all_rays - sun, pixels);
+            of_sun.add(e, sun, pixels);
+            off.emplace_back(std::abs(e), pixels);
             const std::string& material = prepared.scene.materials[surfaces.material[f]].kind();
-            for (Sum* sum : {&observers[points.point[k].observer], &materials[material]}) {
-                sum->squares += e * e;
-                sum->points += a == 0 ? 1 : 0;
+            for (Sum* to : {&sum, &of_point[k], &observers[point.observer], &materials[material]}) {
+                to->add(e * e, pixels);
             }
             if (std::abs(e) <= error.worst) continue;
             error.worst = std::abs(e);
@@ -203,24 +226,27 @@ CheckError check_error(const Prepared& prepared, const FacetViews& views, const 
                             format_local(field.instant[i], prepared.scene.time.utc_offset));
         }
     }
-    error.rms = std::sqrt(squares / double(off.size()));
-    const double all_points = double(off.size());
-    const double rays = of_ground.squares() + of_objects.squares() + of_sun.squares();
-    error.parts = {.ground_rays = of_ground.squares() / all_points,
-                   .object_rays = of_objects.squares() / all_points,
-                   .sun_rays = of_sun.squares() / all_points,
-                   .size = std::max(0.0, squares - rays) / all_points};
-    error.by_rays = std::sqrt(rays / all_points);
-    std::tie(error.low, error.high) = interval(of_point, asked, prepared.scene.seed);
-    const auto hundredth = off.begin() + static_cast<std::ptrdiff_t>(off.size() * 99 / 100);
-    std::nth_element(off.begin(), hundredth, off.end());
-    error.percentile_99 = *hundredth;
-    for (const auto& [o, sum] : observers) {
-        error.observer.push_back({prepared.scene.observers[o].name,
-                                  std::sqrt(sum.squares / double(sum.points * asked)), sum.points});
+    for (const CheckPoint& point : points.point) {
+        const std::size_t f = index(point.surface);
+        ++observers[point.observer].points;
+        ++materials[prepared.scene.materials[surfaces.material[f]].kind()].points;
     }
-    for (const auto& [name, sum] : materials) {
-        if (squares > 0.0) error.share.push_back({name, sum.squares / squares, sum.points});
+    error.rms = sum.rms();
+    const double rays = of_ground.squares() + of_objects.squares() + of_sun.squares();
+    error.parts = {.ground_rays = of_ground.squares() / sum.pixels,
+                   .object_rays = of_objects.squares() / sum.pixels,
+                   .sun_rays = of_sun.squares() / sum.pixels,
+                   .size = std::max(0.0, sum.squares - rays) / sum.pixels};
+    error.by_rays = std::sqrt(rays / sum.pixels);
+    std::tie(error.low, error.high) = interval(of_point, prepared.scene.seed);
+    error.percentile_99 = percentile_99(std::move(off));
+    for (const auto& [o, of] : observers) {
+        error.observer.push_back({prepared.scene.observers[o].name, of.rms(), of.points});
+    }
+    for (const auto& [name, of] : materials) {
+        if (sum.squares > 0.0) {
+            error.share.push_back({name, of.squares / sum.squares, of.points});
+        }
     }
     std::stable_sort(error.share.begin(), error.share.end(),
                      [](const auto& a, const auto& b) { return a.rms > b.rms; });
@@ -232,8 +258,9 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
     const std::string unchecked =
         points.skipped == 0
             ? ""
-            : fmt::format("; {} on panes, nets, sheets, targets or copies {} not checked",
-                          number_of(points.skipped, "place"), points.skipped == 1 ? "is" : "are");
+            : fmt::format(
+                  "; {} on panes, nets, sheets, targets, copies or moving objects {} not checked",
+                  number_of(points.skipped, "place"), points.skipped == 1 ? "is" : "are");
     if (points.point.empty()) {
         return fmt::format("{} no picture shows ground or a plain object{}", check_begins,
                            unchecked);
@@ -247,7 +274,8 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
         materials.push_back(fmt::format("{} {:.0f} %", of.name, 100.0 * of.rms));
     }
     std::string line = fmt::format(
-        "{} temperatures in pictures differ by {:.2f} K rms (95 % interval {:.2f} to {:.2f}) from "
+        "{} apparent temperatures in pictures differ by {:.2f} K rms (95 % interval {:.2f} to "
+        "{:.2f}) from "
         "{} places solved with sun, sky and surroundings of their own; {:.2f} K of it comes from "
         "the number of rays; 99th percentile {:.2f} K, largest {:.1f} K ({}); by observer: {}; "
         "share of the mean square: {}",

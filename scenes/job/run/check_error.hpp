@@ -13,14 +13,16 @@
 
 namespace diurna {
 
-/// Difference between the temperatures in pictures and those of points solved separately.
+/// Difference between the apparent temperatures in pictures and those of points solved separately:
+/// the surfaces' times emissivity and transmittance of the air (check_weights.hpp). Mean squares
+/// are over the pixels of all pictures beyond 3 µm.
 struct CheckError {
     struct Of {
         std::string name;
         double rms = 0.0;  // [K]
         std::size_t points = 0;
     };
-    double rms = 0.0;              // [K] over points and instants
+    double rms = 0.0;              // [K] over pixels
     double low = 0.0, high = 0.0;  // [K] 95 % interval of rms by bootstrap over points
     double by_rays = 0.0;          // [K] rms, of facets against themselves with more rays
     ErrorParts parts{};            // of the mean square
@@ -34,12 +36,12 @@ struct CheckError {
 };
 
 /// Compares the temperatures in pictures at the points (facets' temperatures with sub-facet
-/// sunlight, render/view/pixel_heat.hpp) with the patches' own, at 24 instants at most.
+/// sunlight, render/view/pixel_heat.hpp) with the patches' own, at 24 of the pictures' instants at
+/// most.
 ///
-/// - views: of the surfaces
 /// - field: of all surfaces
 /// - patches: (instant of field, patch) [K]
-CheckError check_error(const Prepared& prepared, const FacetViews& views, const CheckPoints& points,
+CheckError check_error(const Stages& stages, const CheckPoints& points,
                        const TemperatureField& field, std::span<const float> patches);
 
 inline constexpr const char* check_begins = "surface check:";

@@ -9,6 +9,7 @@
 #include "materials/base/random.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "render/view/pixel_rays.hpp"
+#include "scenes/job/run/heat_bands.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/relief/smooth_normals.hpp"
@@ -37,7 +38,7 @@ SurfaceId surface_at(const TextureLevels& levels, FacetId facet, const Eigen::Ve
 }
 
 /// (solid facet) 1 where heat comes from other facets: along a target's sheets, and from the other
-/// side of any sheet.
+/// side of any sheet; and where an object moves along a trajectory.
 std::vector<std::uint8_t> not_alone(const World& world, std::span<const NetworkObject> network) {
     std::vector<std::uint8_t> carries(world.facets.size(), 0);
     const auto mark = [&](std::uint32_t f) {
@@ -51,6 +52,11 @@ std::vector<std::uint8_t> not_alone(const World& world, std::span<const NetworkO
     const std::vector<std::uint32_t> other = other_sides(world.facets);
     for (std::size_t f = 0; f < other.size(); ++f) {
         if (other[f] != index(no_facet)) carries[f] = 1;
+    }
+    for (const Mover& mover : world.movers) {
+        for (std::size_t f = 0; f < carries.size(); ++f) {
+            if (world.facets.object[f] == mover.id) carries[f] = 1;
+        }
     }
     return carries;
 }
@@ -97,6 +103,17 @@ void add_patch(const FacetSet& surfaces, const CheckPoint& point, float scale, F
     patches.object.push_back(surfaces.object[f]);
 }
 
+/// Observers with pictures of heat; all with pictures where none shows it.
+std::vector<std::uint32_t> looking_at_heat(const Prepared& prepared) {
+    std::vector<std::uint32_t> heat, all;
+    for (std::uint32_t o = 0; o < prepared.sequences.size(); ++o) {
+        if (prepared.sequences[o].frame.empty()) continue;
+        all.push_back(o);
+        if (!heat_bands(prepared.scene, prepared.scene.observers[o]).empty()) heat.push_back(o);
+    }
+    return heat.empty() ? all : heat;
+}
+
 FacetViews seen_from(const FacetSet& patches, const Prepared& prepared, bool sunlight) {
     const World& world = prepared.world;
     FacetViews views = patch_views(patches, world.facets, prepared.rays,
@@ -128,21 +145,22 @@ FacetViews seen_from(const FacetSet& patches, const Prepared& prepared, bool sun
 }  // namespace
 
 CheckPoints check_points(const Stages& stages, std::span<const NetworkObject> network, int count) {
-    const SceneStage stage = stages.at(0);
-    const Prepared& prepared = stage.prepared;
+    const Prepared& prepared = stages.scene();
     const World& world = prepared.world;
     const std::vector<std::uint8_t> carries = not_alone(world, network);
     CheckPoints points;
-    const std::size_t observers = prepared.sequences.size();
-    for (std::size_t o = 0; o < observers; ++o) {
+    const std::vector<std::uint32_t> looking = looking_at_heat(prepared);
+    for (std::size_t l = 0; l < looking.size(); ++l) {
+        const std::uint32_t o = looking[l];
         const Sequence& sequence = prepared.sequences[o];
-        if (sequence.frame.empty()) continue;
         // As many of each observer, one more of the first ones.
-        const int wanted = static_cast<int>((std::size_t(count) + observers - 1 - o) / observers);
+        const int wanted =
+            static_cast<int>((std::size_t(count) + looking.size() - 1 - l) / looking.size());
         RandomStream random{hashed(prepared.scene.seed) + o};
         const double x = random(), y = random();
-        int found = 0;
-        for (int k = 0; k < draws_per_point * wanted && found < wanted; ++k) {
+        const std::size_t first = points.point.size();
+        int found = 0, k = 0;
+        for (; k < draws_per_point * wanted && found < wanted; ++k) {
             const auto frame = std::size_t(random() * double(sequence.frame.size()));
             const double level = random();
             const Observer& eye = sequence.at(frame);
@@ -154,40 +172,51 @@ CheckPoints check_points(const Stages& stages, std::span<const NetworkObject> ne
             const std::array<Ray, 1> ray{
                 Ray{.origin = from.cast<float>(), .direction = towards.cast<float>()}};
             std::array<Hit, 1> hit;
-            prepared.rays.closest(ray, hit);
+            const RayScene& rays = stages.at_instant(sequence.frame[frame]).prepared.rays;
+            rays.closest(ray, hit);
             if (hit[0].facet == no_facet) continue;
             const std::size_t f = index(hit[0].facet);
             if (hit[0].copy != no_copy || carries[f] != 0 ||
-                prepared.rays.to_follow(static_cast<std::uint32_t>(f))) {
+                rays.to_follow(static_cast<std::uint32_t>(f))) {
                 ++points.skipped;
                 ++found;
                 continue;
             }
             const Eigen::Vector3d place = from + double{hit[0].range} * towards;
-            points.point.push_back({surface_at(world.texture_levels, hit[0].facet, place, level),
-                                    static_cast<std::uint32_t>(o), place.cast<float>()});
+            points.point.push_back({surface_at(world.texture_levels, hit[0].facet, place, level), o,
+                                    place.cast<float>(), from.cast<float>()});
             ++found;
+        }
+        const ObserverInput& input = prepared.scene.observers[o];
+        for (std::size_t p = first; p < points.point.size(); ++p) {
+            points.point[p].pixels = float(input.width) * float(input.height) / float(k);
         }
     }
     const FacetSet& surfaces = world.surfaces();
     for (const bool whole : {false, true}) {
         for (const CheckPoint& point : points.point) {
             const float scale = whole ? 1.0f : patch_scale(surfaces, point.surface);
-            add_patch(surfaces, point, scale, points.beside.facets);
-            points.beside.like.push_back(number(point.surface));
+            add_patch(surfaces, point, scale, points.patch);
+            points.like.push_back(number(point.surface));
         }
     }
-    set_smooth_normals(world, points.point, points.beside.facets);
-    points.beside.views = seen_from(points.beside.facets, prepared, false);
-    if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
-        points.beside.sunlight_views = seen_from(points.beside.facets, prepared, true);
-    }
+    set_smooth_normals(world, points.point, points.patch);
     return points;
+}
+
+BesideFacets patches_at(const CheckPoints& points, const Prepared& prepared) {
+    BesideFacets beside{.facets = points.patch, .views = {}, .like = points.like};
+    if (points.point.empty()) return beside;
+    beside.views = seen_from(points.patch, prepared, false);
+    if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
+        beside.sunlight_views = seen_from(points.patch, prepared, true);
+    }
+    return beside;
 }
 
 SunExposure sun_at(const CheckPoints& points, const Prepared& prepared,
                    const std::vector<Instant>& instants) {
-    const FacetSet& patches = points.beside.facets;
+    const FacetSet& patches = points.patch;
     const SunFractionOptions options{.samples = CheckPoints::sun_samples,
                                      .seed = prepared.scene.seed};
     const auto towards = [&](Instant when) { return sun_direction(sun_over(prepared, when)); };

@@ -28,8 +28,10 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported) {
     std::vector<std::string> lines;
     for (const std::string& band : observer.bands) {
+        const std::string table = worst_note(reported, "error." + band);
+        if (table.empty()) continue;  // none of its pictures was rendered
         std::string line = "radiance tables against direct sums, worst frame: " + observer.name +
-                           ", " + band + ": " + worst_note(reported, "error." + band);
+                           ", " + band + ": " + table;
         const std::string scattered = worst_note(reported, "scattered." + band);
         if (!scattered.empty()) line += "; light scattered in front of surfaces: " + scattered;
         lines.push_back(std::move(line));

@@ -128,32 +128,32 @@ std::string not_converged(const SolveReport& report) {
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
 bool can_check(const Prepared& prepared) {
-    return prepared.movement.none() && !prepared.scene.output.state &&
-           prepared.scene.time.spin_up != SpanStart::state;
+    return !prepared.scene.output.state && prepared.scene.time.spin_up != SpanStart::state;
 }
 
 namespace {
 
 /// The span of representative facets, and of check points beside them.
-SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
-                         const Representatives& who, const SceneStage& first,
+SolvedScene solve_needed(std::span<const SpanStage> spans, const SpanOptions& options,
+                         const Representatives& who, const Stages& stages,
                          const CheckPoints& points) {
-    const auto& [scene, views, store] = first;
     std::vector<std::unique_ptr<SolvedPart>> part;
     std::vector<SpanStage> solved;
-    for (const SpanStage& stage : stages) {
-        part.push_back(std::make_unique<SolvedPart>(stage.input, who, points.beside));
-        solved.push_back({stage.from, part.back()->input(),
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const SpanStage& span = spans[i];
+        const Prepared& scene = stages.at(i).prepared;
+        part.push_back(std::make_unique<SolvedPart>(span.input, who, patches_at(points, scene)));
+        solved.push_back({span.from, part.back()->input(),
                           [&](const std::vector<Instant>& when) {
-                              return with_beside(stage.exposure(when), who.solved.size(),
+                              return with_beside(span.exposure(when), who.solved.size(),
                                                  points.point.empty()
                                                      ? SunExposure{}
                                                      : sun_at(points, scene, when));
                           },
-                          stage.early});
+                          span.early});
     }
     SolvedScene result{solve_span(solved, options)};
-    const std::size_t facets = who.solved.size(), beside = points.beside.size();
+    const std::size_t facets = who.solved.size(), beside = points.like.size();
     std::vector<float> patches;
     for (std::size_t i = 0; beside > 0 && i < result.temperature.instant.size(); ++i) {
         const std::span<const float> row = result.temperature.at(i).subspan(facets);
@@ -161,9 +161,9 @@ SolvedScene solve_needed(std::span<const SpanStage> stages, const SpanOptions& o
     }
     spread(who, result, beside);
     if (beside > 0) {
-        result.check = check_error(scene, views, points, result.temperature, patches);
+        result.check = check_error(stages, points, result.temperature, patches);
         result.places = points.point.size();
-        result.notes.push_back(in_words(result.check, points, scene.scene.tolerance));
+        result.notes.push_back(in_words(result.check, points, stages.scene().scene.tolerance));
     }
     return result;
 }
@@ -223,7 +223,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                     : solve_needed(parts, span,
                                    needed ? needed->who
                                           : all_represent_themselves(scene.world.surfaces().size()),
-                                   stages.at(0), points);
+                                   stages, points);
     result.unchecked = points.skipped;
     if (points.point.empty() && points.skipped > 0) {
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));

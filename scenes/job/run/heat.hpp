@@ -20,8 +20,7 @@ std::string not_converged(const SolveReport& report);
 /// instant: before anything is written.
 void check_start(const Prepared& prepared);
 
-/// Whether places in pictures can be solved separately: nothing moves, and no state is read or
-/// written.
+/// Whether places in pictures can be solved separately: no state is read or written.
 bool can_check(const Prepared& prepared);
 
 /// Temperatures of a scene, and their error at check points.
@@ -35,8 +34,7 @@ struct SolvedScene : SpanResult {
 /// check_start(). Where the plan decides that not every facet is solved, those that are neither
 /// visible in pictures nor thermally coupled to visible ones use representatives' temperatures
 /// (scenes/job/run/needed_facets.hpp), and a note reports their number and kind. A note reports the
-/// error at check points, too (scenes/job/run/check_error.hpp); none if objects move or a state is
-/// written or read.
+/// error at check points, too (scenes/job/run/check_error.hpp); none if a state is written or read.
 ///
 /// - decision: that of the plan for a run with pictures (Plan::decisions); by default every facet
 ///   is solved, without check points

@@ -75,6 +75,11 @@ void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
     }
 }
 
+/// [K] Error of the tables and interreflections of a picture: a tenth of `tolerance_K`.
+double table_tolerance(const Scene& scene) {
+    return std::clamp(0.1 * scene.tolerance, 1e-3, 1e-2);
+}
+
 }  // namespace
 
 Plane void_plane(const View& view, const World& world) {
@@ -142,10 +147,12 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                       {.sun = over,
                        .temperature = temperature,
                        .lit = covered || measured ? std::span<const SurfaceId>() : s.lit.facet});
+    const double tolerance = table_tolerance(prepared.scene);
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
                           .surfaces = s.input.surfaces,
+                          .tolerance = tolerance,
                           .lit = covered || measured ? nullptr : &s.lit,
                           .secondary_rays = &s.secondary_rays,
                           .pixel_sun = &pixel_sun,
@@ -172,6 +179,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,
                                        .terms = false,
+                                       .tolerance = tolerance,
                                        .lit = covered || measured ? nullptr : &cube.lit,
                                        .secondary_rays = &s.secondary_rays,
                                        .pixel_sun = &pixel_sun,

@@ -33,4 +33,8 @@ SceneStage Stages::at(std::size_t stage) const {
     return {here, *own.views, store()};
 }
 
+SceneStage Stages::at_instant(Instant when) const {
+    return at(prepared_.movement.none() ? 0 : prepared_.movement.stage_of(when));
+}
+
 }  // namespace diurna

@@ -29,6 +29,7 @@ class Stages {
     Stages(const Prepared& prepared, const Stages& alike);
     std::size_t size() const { return own_.size(); }
     SceneStage at(std::size_t stage) const;
+    SceneStage at_instant(Instant when) const;
     const Prepared& scene() const { return prepared_; }
     const StageStore* store() const { return store_.get(); }
     const std::shared_ptr<const StageStore>& shared_store() const { return store_; }

@@ -42,9 +42,9 @@ void check_verb(const SceneArguments& a, bool strict) {
     print_notes(checked.notes);
     if (const double most = free_memory(); most > 0.0 && checked.memory > most) {
         fmt::print(stderr,
-                   "note: this machine would refuse the run: the plan needs {:.1f} GB of memory, "
-                   "{:.1f} GB are free\n",
-                   checked.memory / 1e9, most / 1e9);
+                   "note: this machine would refuse the run: the plan needs {} of memory, "
+                   "{} are free\n",
+                   memory_in_words(checked.memory), memory_in_words(most));
     }
 }
 

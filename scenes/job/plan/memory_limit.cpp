@@ -48,6 +48,11 @@ double bytes_reported(const std::string& text) {
     return number * scale;
 }
 
+std::string memory_in_words(double bytes) {
+    return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                       : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
 double free_memory() {
     double free = available();
     if (free < 0.0) return 0.0;
@@ -64,9 +69,9 @@ void check_memory(const Plan& plan, double limit) {
     throw InputError(
         asked ? "--max-memory" : "memory",
         fmt::format(
-            "the plan needs {:.1f} GB ({} facets, {} steps, {:.3g} pixels), but {} {:.1f} GB",
-            plan.memory / 1e9, plan.facets, plan.steps.size() - 1, double(plan.pixels),
-            asked ? "--max-memory permits" : "90 % of the free memory is", most / 1e9),
+            "the plan needs {} ({} facets, {} steps, {:.3g} pixels), but {} {}",
+            memory_in_words(plan.memory), plan.facets, plan.steps.size() - 1, double(plan.pixels),
+            asked ? "--max-memory permits" : "90 % of the free memory is", memory_in_words(most)),
         "use a coarser ground (terrain.tolerance_m, largest_edge_m), smaller pictures or a longer "
         "time.step_s, or raise --max-memory");
 }

@@ -9,6 +9,8 @@ namespace diurna {
 /// Bytes of a text: "800M", "6.5G", "2T" (powers of 1000). Throws InputError for
 /// --max-memory.
 double bytes_reported(const std::string& text);
+/// "320 MB", "6.5 GB".
+std::string memory_in_words(double bytes);
 
 /// Memory available on the machine [bytes]: nine tenths of the free memory, within the limit of the
 /// process's control group; 0: not known.

@@ -14,7 +14,7 @@ namespace diurna {
 /// Memory that the exchanges of a solve reuse.
 struct ExchangeRoom {
     PackedField moved{};  // what arrives at facets, or leaves them
-    // of a run of instants, (facet, instant): the exchange computes one run after the other
+    // of a few runs of instants, (facet, instant): the exchange computes them together
     std::vector<float> leaving{};
 };
 
@@ -50,7 +50,7 @@ void leaving_of(const SolveState& solve, const MovedLongwave& field, std::size_t
 /// Adds to a facet's values in a run of instants.
 void add_to(PackedField& values, std::size_t run, std::size_t f, const float* more);
 
-/// Recomputes all of the longwave, a run of instants after the other. `moved` becomes what arrives
+/// Recomputes all of the longwave, a few runs of instants at a time. `moved` becomes what arrives
 /// now less what did before; nothing where that is within a step of how it is stored. The sky of a
 /// facet's own height stands above it: what leaves is reported beyond the sky at the weather's
 /// height, what arrives beyond that at its own.

@@ -60,6 +60,16 @@ class PackedField {
     /// The values of a run of one facet: width(r) of them.
     void get(std::size_t r, std::size_t f, float* values) const;
     void put(std::size_t r, std::size_t f, const float* values);
+    /// The same of some facets, (slot of the run, facet of these), `stride` from one slot to the
+    /// next: at least their number, rounded up to `together`. What lies beyond the facets is a copy
+    /// of the last.
+    void get(std::size_t r, std::span<const std::size_t> facets, std::size_t stride,
+             float* values) const;
+    void put(std::size_t r, std::span<const std::size_t> facets, std::size_t stride,
+             const float* values);
+    static constexpr std::size_t together = 8;  // facets
+    /// The slot of an instant; < 0: its values are zero.
+    int slot(std::size_t instant) const { return slot_[instant]; }
     /// All stored values of one facet: slots() of them.
     void get(std::size_t f, float* values) const;
     void put(std::size_t f, const float* values);
@@ -67,6 +77,13 @@ class PackedField {
     void fill(std::size_t f, float value);
     /// Values of all facets at one instant.
     void decode(std::size_t instant, std::span<float> values) const;
+    /// The same at some instants, ascending: (instant of these, facet).
+    void decode(std::span<const std::size_t> instants, std::span<float> values) const;
+    /// Of the first `count` facets; both not a number where any value is none.
+    struct Extremes {
+        float least, greatest;
+    };
+    Extremes extremes(std::size_t count) const;
 
  private:
     std::vector<int> slot_;  // (instant)
@@ -91,6 +108,22 @@ inline PackedField::Row PackedField::row(std::size_t instant) const {
     return row;
 }
 
+/// Reads the values of some facets instant by instant, a run of them at a time.
+class PackedReader {
+ public:
+    /// - stride: of what is read: the facets' number, rounded up to PackedField::together
+    PackedReader(const PackedField& field, std::span<const std::size_t> facets, std::size_t stride)
+        : field_(field), facets_(facets), stride_(stride) {}
+    /// The facets' values at an instant, `stride` of them; null: all are zero.
+    const float* at(std::size_t instant);
+
+ private:
+    const PackedField& field_;
+    std::span<const std::size_t> facets_;
+    std::size_t stride_, run_ = static_cast<std::size_t>(-1);
+    std::vector<float> values_{};  // (slot of the run, facet of these)
+};
+
 /// Writes the values of some facets slot by slot: a run is packed when it is complete, the last one
 /// at the end of its life.
 class PackedWriter {
@@ -109,7 +142,8 @@ class PackedWriter {
     void flush();
     PackedField& field_;
     std::span<const std::size_t> facets_;
-    std::vector<float> values_;  // (facet of these, slot of the run)
+    std::size_t stride_;
+    std::vector<float> values_;  // (slot of the run, facet of these)
     std::size_t slot_ = 0;
 };
 

@@ -237,10 +237,22 @@ struct BlockFace {
 };
 BlockFace front_of(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i);
 BlockFace back_of(const SolveState& solve, const Block& block);
-/// Heat input [lane] of a block at an instant, as far as it differs between facets: sun, terrain
+/// Heat input of a block's fronts or backs, as far as it differs between facets: sun, terrain
 /// longwave, internal.
-void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,
-                double* heat);
+class FaceHeat {
+ public:
+    FaceHeat(const SolveState& solve, const Block& block, std::span<const std::size_t> facets);
+    /// At an instant [lane]; lanes beyond the facets have the first one's.
+    ///
+    /// - face: of those facets
+    void at(const BlockFace& face, std::size_t i, double* heat);
+
+ private:
+    const SolveState& solve_;
+    const Block& block_;
+    PackedReader sunlight_;
+    std::optional<PackedReader> excess_{};
+};
 
 /// Stores a block's surface temperatures, and those of its backs, from instant to instant of a
 /// level.

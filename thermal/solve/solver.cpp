@@ -75,11 +75,11 @@ TemperatureField kept(const SolveState& solve, const CoveredFacets& water) {
     TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
     field.water.facet = water.facet;
     field.kelvin.resize(instants.size() * solve.facets);
+    solve.kelvin.decode(instants, field.kelvin);
     field.water.cover.reserve(instants.size() * water.facet.size());
     for (std::size_t row = 0; row < instants.size(); ++row) {
         const std::size_t i = instants[row];
         field.instant.push_back(solve.instant[i]);
-        solve.kelvin.decode(i, field.at(row));
         const auto cover = water.at(i);
         field.water.cover.insert(field.water.cover.end(), cover.begin(), cover.end());
     }
@@ -290,14 +290,9 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
-    std::vector<float> all(solve.facets);
-    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        solve.kelvin.decode(i, all);
-        const std::span row(all.data(), solve.counted);
-        const auto [coldest, warmest] = std::minmax_element(row.begin(), row.end());
-        report.coldest = i == 0 ? *coldest : std::min<double>(report.coldest, *coldest);
-        report.warmest = i == 0 ? *warmest : std::max<double>(report.warmest, *warmest);
-    }
+    const PackedField::Extremes all = solve.kelvin.extremes(solve.counted);
+    report.coldest = all.least;
+    report.warmest = all.greatest;
 }
 
 /// Once more over the span, every facet, as it has settled: what the balance is made of.

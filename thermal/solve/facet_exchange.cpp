@@ -11,7 +11,6 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t instants_at_once = PackedField::run;  // a cache line of every facet
-constexpr double sunlight_bound = 1e-4;  // of the global sun, skipped of a facet's light
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -248,8 +247,8 @@ void incident_sunlight(
     const bool bounces = scene.exchange && !scene.views.others.facet.empty();
     const std::vector<float> albedo = greatest_albedo(scene);
     const double bound =
-        sunlight_bound * (1.0 - double(greatest_sent_on(
-                                    scene.views, std::span(albedo).first(facets - scene.beside))));
+        scene.bound * (1.0 - double(greatest_sent_on(
+                                 scene.views, std::span(albedo).first(facets - scene.beside))));
     const std::vector<std::size_t> lit = sunlit(sun.sky);
     for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
         const std::size_t count = std::min(instants_at_once, lit.size() - first);

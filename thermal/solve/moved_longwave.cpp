@@ -97,23 +97,39 @@ class SkyBeyond {
 
 }  // namespace
 
+const float* MovedLongwave::kelvin_of(const SolveState& solve, std::size_t f, std::size_t slot,
+                                      std::vector<float>& all, std::vector<float>& chosen) const {
+    const PackedField& field = solve.kelvin;
+    if (apart == 1) {
+        for (std::size_t k = 0; k < chosen.size(); k += PackedField::run) {
+            field.get((slot + k) / PackedField::run, f, chosen.data() + k);
+        }
+        return chosen.data();
+    }
+    field.get(f, all.data());
+    for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k] = all[(slot + k) * apart];
+    return chosen.data();
+}
+
 void recompute_longwave(SolveState& solve, const Level& level, MovedLongwave& field) {
     const bool heights = !solve.tiers.flat();
+    const std::size_t stride = level.stride * field.apart;  // instants
     std::vector<float>& leaving = field.room.leaving;
     for (RunsTogether runs(field.moved()); runs.any(); runs.next()) {
         const std::size_t width = runs.width();
         std::vector<SkyBeyond> beyond;
         for (std::size_t k = 0; k < width; ++k) {
-            beyond.emplace_back(solve, (runs.slot() + k) * level.stride);
+            beyond.emplace_back(solve, (runs.slot() + k) * stride);
         }
         leaving.resize(solve.facets * width);
         for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
-            float kelvin[RunsTogether::most], excess[RunsTogether::most];
+            float excess[RunsTogether::most];
+            std::vector<float> all(solve.kelvin.slots()), chosen(width);
             for (std::size_t f = begin; f < end; ++f) {
-                runs.get(solve.kelvin, f, kelvin);
+                const float* const kelvin = field.kelvin_of(solve, f, runs.slot(), all, chosen);
                 runs.get(solve.excess, f, excess);
                 for (std::size_t k = 0; k < width; ++k) {
-                    const std::size_t i = (runs.slot() + k) * level.stride;
+                    const std::size_t i = (runs.slot() + k) * stride;
                     // What falls on it beyond the sky: of neighbours, of a sky that differs by
                     // height and by direction.
                     const double tilt =

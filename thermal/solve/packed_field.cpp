@@ -38,6 +38,13 @@ PackedField PackedField::of_steps(std::size_t instants, std::size_t stride, std:
     return {std::move(slots), facets};
 }
 
+PackedField PackedField::linear_between(std::size_t instants, std::size_t stride,
+                                        std::size_t facets) {
+    PackedField field = of_steps(instants, stride, facets);
+    if (stride > 1) field.linear_ = stride;
+    return field;
+}
+
 namespace {
 
 constexpr std::size_t run = PackedField::run;
@@ -284,6 +291,7 @@ std::size_t rounded_up(std::size_t facets) {
 const float* PackedReader::at(std::size_t instant) {
     const int slot = field_.slot(instant);
     if (slot < 0) return nullptr;
+    if (field_.linear()) return between(instant);
     const std::size_t r = std::size_t(slot) / run;
     if (r != run_) {
         run_ = r;
@@ -291,6 +299,23 @@ const float* PackedReader::at(std::size_t instant) {
         field_.get(r, facets_, stride_, values_.data());
     }
     return values_.data() + std::size_t(slot) % run * stride_;
+}
+
+const float* PackedReader::between(std::size_t instant) {
+    if (values_.empty()) {
+        values_.resize(field_.runs() * run * stride_);
+        between_.resize(stride_);
+        for (std::size_t r = 0; r < field_.runs(); ++r) {
+            field_.get(r, facets_, stride_, &values_[r * run * stride_]);
+        }
+    }
+    const float* const here = &values_[std::size_t(field_.slot(instant)) * stride_];
+    const float share = field_.share(instant);
+    if (share == 0.0f) return here;
+    for (std::size_t l = 0; l < stride_; ++l) {
+        between_[l] = here[l] + share * (here[l + stride_] - here[l]);
+    }
+    return between_.data();
 }
 
 PackedWriter::PackedWriter(PackedField& field, std::span<const std::size_t> facets)

@@ -70,14 +70,17 @@ struct Block {
     std::vector<double> back_slope;  // of plates' backs
     std::vector<double> steepness;   // [lane] Σ over the span of its slopes, both faces
 
-    /// Running it again would change nothing significant: 0.05 W/m² of longwave are 3 mK. For a
+    /// Running it again would change nothing significant: 0.05 W/m² of longwave are 3 mK. A quick
+    /// solve counts with its corrections to first order, which leave a small share of them. For a
     /// span that is not periodic, first-order corrections are exact enough if they are within the
     /// final limit for neighbours' heat (on the default scene's second and third day 0.0003 K rms
     /// from another run, at most 0.013 K).
     bool settled(const SolveOptions& options) const {
         if (relit > 0.05) return false;
         if (!options.periodic) return warmed <= options.settled && unfollowed <= 0.05;
-        return residual <= options.tolerance && largest_move <= 0.01 && heat_change <= 0.05;
+        const double most = options.quick ? options.still : options.tolerance;
+        return residual <= most && largest_move <= options.still &&
+               heat_change <= options.still_heat;
     }
     /// It has run on this level, so slopes are available.
     bool has_run() const { return !slope.empty(); }
@@ -99,6 +102,7 @@ struct StageForcing {
 struct ModeColumn {
     ReducedColumn reduced;
     Eigen::MatrixXd probe;  // (place, mode) temperature at some depths of the open column's states
+    bool quick = false;     // ModeStep::quick
     ClosedColumn closed{};
     ModeStep step{};
 };

@@ -101,12 +101,13 @@ void read_about(const Section& about, Scene& scene) {
 /// What may be skipped.
 void read_tolerance(const Section& root, Scene& scene) {
     scene.tolerance_given = root.has("tolerance_K");
-    scene.tolerance =
-        root.number_or("tolerance_K",
-                       "allowed rms error of a picture; facets that are neither visible nor "
-                       "thermally coupled to visible ones reuse a representative's temperature; 0: "
-                       "every facet is solved. temperatures.nc names the representatives",
-                       0.1, {0.0, 10.0});
+    scene.tolerance = root.number_or(
+        "tolerance_K",
+        "allowed rms error of a picture; facets that are neither visible nor "
+        "thermally coupled to visible ones reuse a representative's temperature, and "
+        "the heat balance of the others ends within half of it; 0: every facet is "
+        "solved. temperatures.nc names the representatives",
+        0.1, {0.0, 10.0});
     scene.rounds = root.integer_or(
         "rounds",
         "how often `run` solves again, with more rays and finer edges, while its surface check "

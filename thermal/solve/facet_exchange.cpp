@@ -10,7 +10,8 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t instants_at_once = PackedField::run;  // a cache line of every facet
+// Three cache lines of every facet, for each of which the rows of view factors are read once.
+constexpr std::size_t instants_at_once = 3 * PackedField::run;
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -68,7 +69,10 @@ class SunlightAtOnce {
     /// What facets reflect of each other, to the bound.
     void bounce(double bound) {
         const std::size_t n = instants_.size(), counted = scene_.facets.size() - scene_.beside;
-        std::vector<float> scale(n), unsent(incident_.size()), counts(scene_.facets.size());
+        // Whole vectors, zero beyond the instants.
+        const std::size_t wide = (n + PackedField::run - 1) / PackedField::run * PackedField::run;
+        std::vector<float> scale(n), unsent(scene_.facets.size() * wide),
+            counts(scene_.facets.size());
         for (std::size_t k = 0; k < n; ++k) {
             scale[k] = float(1.0 / (bound * double(light_.front().global[k])));
         }
@@ -82,11 +86,11 @@ class SunlightAtOnce {
             return most;
         };
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
-            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * n]) : 0.0f;
+            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * wide]) : 0.0f;
         });
         const ViewFactors& seen = scene_.views.others;
         interreflect(SeenRows{.row = seen.row, .source = seen.facet, .factor = seen.factor},
-                     {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
+                     {.value = unsent.data(), .stride = wide, .lanes = wide, .counts = counts},
                      [&](std::size_t f, const float* arrived, float* out) {
                          for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
                          return f < counted ? reflect(f, arrived, out) : 0.0f;
@@ -150,10 +154,11 @@ class SunlightAtOnce {
         if (sun_.shares != nullptr && !sun_.shares->empty()) {
             const int first = sun_.shares->slot(sun_.first + instants_.front());
             const int last = sun_.shares->slot(sun_.first + instants_.back());
-            const std::size_t r = std::size_t(first) / PackedField::run;
-            if (std::size_t(first) % PackedField::run == 0 && last == first + int(n) - 1 &&
-                n == sun_.shares->width(r)) {
-                sun_.shares->get(r, f, share);
+            const bool whole = (n % PackedField::run == 0 || last + 1 == int(sun_.shares->slots()));
+            if (first % int(PackedField::run) == 0 && last == first + int(n) - 1 && whole) {
+                for (std::size_t k = 0; k < n; k += PackedField::run) {
+                    sun_.shares->get((std::size_t(first) + k) / PackedField::run, f, share + k);
+                }
                 return;
             }
             for (std::size_t k = 0; k < n; ++k) {

@@ -76,8 +76,8 @@ float greatest_sent_on(const FacetViews& views, std::span<const float> reflectan
 /// incident  (instant, facet)
 void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
                        std::span<float> incident);
-/// The same for the sunlit instants, PackedField::run of them at a time in their order; the light
-/// of the others is zero.
+/// The same for the sunlit instants, some multiple of PackedField::run of them at a time, fewer at
+/// last, in their order; the light of the others is zero.
 ///
 /// put  (instants, light): light is (facet, instant of these)
 void incident_sunlight(

@@ -182,10 +182,12 @@ void add_sunlight(SolveState& solve) {
     };
     std::size_t run = 0;
     const auto put_run = [&](std::span<const float> light, std::size_t width) {
-        for_each_index(
-            solve.facets,
-            [&](std::size_t f) { solve.sunlight.put(run, f, light.data() + f * width); }, 4096);
-        ++run;
+        for (std::size_t k = 0; k < width; k += PackedField::run, ++run) {
+            for_each_index(
+                solve.facets,
+                [&](std::size_t f) { solve.sunlight.put(run, f, light.data() + f * width + k); },
+                4096);
+        }
     };
     if (solve.input.measured_share.empty()) {
         at(solve.optics, changes ? &solve.changing : nullptr, solve.sky.size(), 0,

@@ -56,6 +56,10 @@ class RunsTogether {
     /// Their first slot, and the number of their slots.
     std::size_t slot() const { return first_ * PackedField::run; }
     std::size_t width() const { return std::min(most, field_.slots() - slot()); }
+    /// The same rounded up to whole runs: values beyond are zero, so that loops have whole vectors.
+    std::size_t wide() const {
+        return (width() + PackedField::run - 1) / PackedField::run * PackedField::run;
+    }
     /// Calls body(run, its first slot among these, its slots).
     template <class Body>
     [[gnu::always_inline]] void each(const Body& body) const {
@@ -116,12 +120,12 @@ void recompute_longwave(SolveState& solve, const Level& level, MovedLongwave& fi
     const std::size_t stride = level.stride * field.apart;  // instants
     std::vector<float>& leaving = field.room.leaving;
     for (RunsTogether runs(field.moved()); runs.any(); runs.next()) {
-        const std::size_t width = runs.width();
+        const std::size_t width = runs.width(), wide = runs.wide();
         std::vector<SkyBeyond> beyond;
         for (std::size_t k = 0; k < width; ++k) {
             beyond.emplace_back(solve, (runs.slot() + k) * stride);
         }
-        leaving.resize(solve.facets * width);
+        leaving.resize(solve.facets * wide);
         for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
             float excess[RunsTogether::most];
             std::vector<float> all(solve.kelvin.slots()), chosen(width);
@@ -136,16 +140,17 @@ void recompute_longwave(SolveState& solve, const Level& level, MovedLongwave& fi
                         solve.tilt.empty()
                             ? 0.0
                             : solve.at_facet(&SkyState::tilted_longwave, i, f) * solve.tilt[f];
-                    leaving[f * width + k] =
+                    leaving[f * wide + k] =
                         leaving_longwave(solve.optics.emissivity[f], solve.sky[i].longwave_down,
                                          kelvin[k], excess[k] + beyond[k](f) + float(tilt));
                 }
+                std::fill_n(&leaving[f * wide] + width, wide - width, 0.0f);
             }
         });
         for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
             float next[RunsTogether::most], change[RunsTogether::most];
             for (std::size_t f = begin; f < end; ++f) {
-                arriving_longwave(solve.input.views, leaving, f, {next, width});
+                arriving_longwave(solve.input.views, leaving, f, {next, wide});
                 runs.get(solve.excess, f, change);
                 for (std::size_t k = 0; k < width; ++k) {
                     if (heights) next[k] -= (1.0f - solve.input.views.sky[f]) * beyond[k](f);
@@ -195,10 +200,11 @@ bool send_longwave(SolveState& solve, float least, int sweeps, MovedLongwave& fi
     std::vector<std::uint8_t> left(solve.facets, 0);
     std::vector<float>& leaving = field.room.leaving;
     for (RunsTogether runs(field.moved()); runs.any(); runs.next()) {
-        const std::size_t width = runs.width();
-        leaving.resize(solve.facets * width);
+        const std::size_t width = runs.width(), wide = runs.wide();
+        leaving.resize(solve.facets * wide);
         for_each_index(solve.facets, [&](std::size_t f) {
-            float* const out = leaving.data() + f * width;
+            float* const out = leaving.data() + f * wide;
+            std::fill(out + width, out + wide, 0.0f);
             runs.each([&](std::size_t run, std::size_t at, std::size_t) {
                 leaving_of(solve, field, run, f, out + at);
                 field.moved().put(run, f, nothing);
@@ -206,7 +212,7 @@ bool send_longwave(SolveState& solve, float least, int sweeps, MovedLongwave& fi
             counts[f] = field.sends[f] ? scale * largest({out, width}) : 0.0f;
         });
         interreflect(
-            rows, {.value = leaving.data(), .stride = width, .lanes = width, .counts = counts},
+            rows, {.value = leaving.data(), .stride = wide, .lanes = wide, .counts = counts},
             [&](std::size_t f, const float* now, float* unsent) {
                 const float reflectance = 1.0f - solve.optics.emissivity[f];
                 const float all = field.to_and_fro(f, reflectance);

@@ -15,9 +15,10 @@ SolveOptions quick(SolveOptions options, double kelvin) {
     options.mode_error = std::max(options.mode_error, 0.03 * share);
     options.tolerance = std::max(options.tolerance, 0.02 * share);
     options.settled = std::max(options.settled, 0.05 * share);
+    options.quick = share >= 0.5;
+    if (!options.quick) return options;
     options.still = std::max(options.still, 0.1 * share);
     options.still_heat = std::max(options.still_heat, 0.3 * share);
-    options.quick = share >= 0.5;
     return options;
 }
 

@@ -75,12 +75,19 @@ struct Block {
     /// span that is not periodic, first-order corrections are exact enough if they are within the
     /// final limit for neighbours' heat (on the default scene's second and third day 0.0003 K rms
     /// from another run, at most 0.013 K).
-    bool settled(const SolveOptions& options) const {
+    ///
+    /// - left: SolveState::left_by_pass
+    bool settled(const SolveOptions& options, double left) const {
         if (relit > 0.05) return false;
         if (!options.periodic) return warmed <= options.settled && unfollowed <= 0.05;
-        const double most = options.quick ? options.still : options.tolerance;
-        return residual <= most && largest_move <= options.still &&
-               heat_change <= options.still_heat;
+        if (!options.quick) {
+            return residual <= options.tolerance && largest_move <= options.still &&
+                   heat_change <= options.still_heat;
+        }
+        constexpr double usual_left = 0.2;
+        const double share = std::min(1.0, usual_left / left);
+        return std::max(residual, largest_move) <= share * options.still &&
+               heat_change <= share * options.still_heat;
     }
     /// It has run on this level, so slopes are available.
     bool has_run() const { return !slope.empty(); }
@@ -188,6 +195,9 @@ struct SolveState {
     AlbedoMove albedo_move{};
     std::vector<float> relit{};  // (facet) [W m⁻²] as Block::relit; empty: no changes
     std::vector<Block> block;
+    /// Share of the error that a pass and its corrections to first order leave, as passes with
+    /// steps of an hour have shown; used by quick solves.
+    double left_by_pass = 1.0;
     std::vector<bool> in_network;  // (facet) part of a target; empty without targets
     HeatRecord* record = nullptr;  // of the current pass, if it is to be recorded
 

@@ -167,7 +167,7 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
         }
         const double warmer = renew_longwave(solve, coarse, room, report).warmer;
         const double before = std::exchange(moved, largest_move(solve) + warmer);
-        if (i > 0) report.left_by_pass = std::clamp(moved / before, 0.05, 1.0);
+        if (i > 0) solve.left_by_pass = std::clamp(moved / before, 0.05, 1.0);
     }
     solve.kelvin = filled_between(solve, solve.kelvin, stride);
     if (neighbours && !solve.excess.linear()) {
@@ -186,7 +186,8 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
            const ExchangeChange& change, SolveReport& report) {
     const SolveOptions& options = solve.options;
     // Corrections to first order leave a share of themselves, which passes in hours have measured.
-    const double left = options.quick && options.periodic ? report.left_by_pass : 1.0;
+    const double left = options.quick && options.periodic ? solve.left_by_pass : 1.0;
+    report.left_by_pass = left;
     report.exchange_change = change.heat;
     report.periodic_residual = 0.0;
     report.estimated_error = left * change.warmer;

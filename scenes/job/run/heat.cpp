@@ -189,9 +189,6 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
     const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage(StageId::heat_balance);
     SpanOptions span = scene_span(scene.scene);
-    if (decision.every_facet.empty() && !span.heat) {
-        span.day = quick(span.day, decision.tolerance);
-    }
     span.from = earlier ? &*earlier : nullptr;
     span.keep_course = similar.keep_course;
     span.like = similar.like;
@@ -211,6 +208,10 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                          i > 0 && scene.movement.early[i]});
     }
     const StageHeat& first = *heat.front();
+    // Balances are reported to be closed, and what targets lose is followed step by step.
+    if (decision.every_facet.empty() && !span.heat && first.input().network.empty()) {
+        span.day = quick(span.day, decision.tolerance);
+    }
     std::optional<NeededFacets> needed;
     if (decision.every_facet.empty()) {
         needed = needed_facets(stages, first.input().network, decision.tolerance);

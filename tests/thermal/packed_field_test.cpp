@@ -115,3 +115,48 @@ TEST_CASE("a writer packs what it is given instant by instant", "[thermal][packe
         for (std::size_t f = 0; f < facets; ++f) REQUIRE(field.at(i, f) == whole.at(i, f));
     }
 }
+
+TEST_CASE("values read run by run for many facets are those of each alone", "[thermal][packed]") {
+    std::mt19937 random(5);
+    constexpr std::size_t many = 19;
+    PackedField field = PackedField::of_steps(instants, 1, many);
+    for (std::size_t f = 0; f < many; ++f) field.put(f, day(f, random).data());
+    const std::vector<std::size_t> chosen{3, 1, 18, 0, 7, 8, 9, 10, 11, 12, 4};
+    PackedReader reader(field, chosen, 16);
+    for (std::size_t i = 0; i < instants; ++i) {
+        const float* const row = reader.at(i);
+        for (std::size_t k = 0; k < chosen.size(); ++k) REQUIRE(row[k] == field.at(i, chosen[k]));
+    }
+    const std::vector<std::size_t> some{0, 5, 15, 16, 100, 144};
+    std::vector<float> rows(some.size() * many);
+    field.decode(some, rows);
+    float least = 1e9f, greatest = 0.0f;
+    for (std::size_t f = 0; f < many; ++f) {
+        for (std::size_t row = 0; row < some.size(); ++row) {
+            REQUIRE(rows[row * many + f] == field.at(some[row], f));
+        }
+        for (std::size_t i = 0; i < instants; ++i) {
+            least = std::min(least, field.at(i, f));
+            greatest = std::max(greatest, field.at(i, f));
+        }
+    }
+    CHECK(field.extremes(many).least == least);
+    CHECK(field.extremes(many).greatest == greatest);
+}
+
+TEST_CASE("a field that is linear between hours is exact at them", "[thermal][packed]") {
+    PackedField field = PackedField::linear_between(instants, 6, 2);
+    CHECK(field.slots() == 25);
+    std::vector<float> hours(25);
+    for (std::size_t k = 0; k < 25; ++k) hours[k] = float(k * k);
+    field.put(1, hours.data());
+    const std::vector<std::size_t> both{1, 0};
+    PackedReader reader(field, both, 8);
+    for (std::size_t i = 0; i < instants; ++i) {
+        const float k = float(i / 6), share = float(i % 6) / 6.0f;
+        const float expected = k * k + share * (2.0f * k + 1.0f);
+        REQUIRE(field.at(i, 1) == Approx(expected).margin(0.01));
+        REQUIRE(reader.at(i)[0] == Approx(field.at(i, 1)).epsilon(1e-6));
+        REQUIRE(reader.at(i)[1] == 0.0f);
+    }
+}

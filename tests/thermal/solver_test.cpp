@@ -129,6 +129,39 @@ TEST_CASE("one, two and four threads write the same bytes",
     set_thread_count(0);
 }
 
+TEST_CASE("a quick solve is within half of its tolerance, on any number of threads",
+          "[thermal][solver][threads][quick][by_replication]") {
+    const World world(16);
+    const bool exchange = GENERATE(true, false);
+    const SolveOptions plain{.start = june, .keep_every = 600.0, .exchange = exchange};
+    SolveOptions finest = plain;
+    finest.refinement = 4;
+    finest.mode_error = 0.001;
+    finest.tolerance = 1e-6;
+    const SolveResult exact = world.run(finest);
+    set_thread_count(1);
+    const SolveResult one = world.run(quick(plain, 0.1));
+    set_thread_count(3);
+    const SolveResult three = world.run(quick(plain, 0.1));
+    set_thread_count(0);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < exact.temperature.kelvin.size(); ++i) {
+        const double apart = double(one.temperature.kelvin[i]) - exact.temperature.kelvin[i];
+        squares += apart * apart / double(exact.temperature.kelvin.size());
+    }
+    CAPTURE(exchange, one.report.passes, one.report.estimated_error);
+    CHECK(std::sqrt(squares) < 0.05);
+    CHECK(one.report.converged);
+    CHECK(one.report.estimated_error <= one.report.limit);
+    CHECK(one.report.passes < exact.report.passes);
+    CHECK(std::memcmp(one.temperature.kelvin.data(), three.temperature.kelvin.data(),
+                      one.temperature.kelvin.size() * sizeof(float)) == 0);
+    // No tolerance, no change.
+    CHECK_FALSE(quick(plain, 0.0).quick);
+    CHECK(quick(plain, 0.0).mode_error == plain.mode_error);
+    CHECK(quick(plain, 5.0).mode_error == quick(plain, 0.1).mode_error);
+}
+
 TEST_CASE("halving the step quarters what is left of its error", "[thermal][solver][order]") {
     // Smooth forcing: no sun, so no sunrise, no shadow.
     World world(6);

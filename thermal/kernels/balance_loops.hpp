@@ -31,6 +31,10 @@ constexpr double near_enough = !on_ground<Kind> ? 1e-8
                                : Wet            ? 1e-6
                                                 : 1e-4;
 
+/// The same where a millikelvin does not matter: the balance of ground bends by 0.01 K⁻¹ and less.
+template <FilmKind Kind>
+constexpr double near_quick = on_ground<Kind> ? 5e-2 : 1e-3;
+
 /// Kinks of a wet surface's balance [K]: at the dew point, and at the air's temperature, where film
 /// and vapour flux change with the root of the difference.
 struct Bends {

@@ -20,7 +20,8 @@ struct ModeCoefficients {
     const double *rate, *surface;  // (mode)
     const double *decay, *carry;   // (mode) carry = decay · to + from
     double response, film, reference, flux_below, emissivity;
-    double step;  // [s]
+    double step;         // [s]
+    bool quick = false;  // Newton ends within a millikelvin of the root
 };
 
 /// The air at the upper height; lanes at heights between have interpolated values, at the fraction

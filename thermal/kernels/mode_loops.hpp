@@ -94,7 +94,8 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     const RootOutcome root = find_roots<Kind, Wet, lanes>(
         air.at, [&](std::size_t l) __attribute__((always_inline)) { return air.bend(l); },
         [b](std::size_t) __attribute__((always_inline)) { return b; },
-        {s.natural, radiation, way.pull, way.temperature, s.slope}, near_enough<Kind, Wet>,
+        {s.natural, radiation, way.pull, way.temperature, s.slope},
+        c.quick ? near_quick<Kind> : near_enough<Kind, Wet>,
         [&](std::size_t l, double flux) __attribute__((always_inline)) { way.flux[l] = flux; });
     ModeOutcome outcome{.iterations = root.iterations, .halved = root.halved};
     double worst = 0.0;

@@ -160,7 +160,8 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
         enter_part(c, s, first, part, p);
         decay_part(c, s, first, p);
         guess_part(c, s, first, p);
-        const double near = part < parts_after_jump ? near_inside : near_enough<Kind, Wet>;
+        const double at_end = c.quick ? near_quick<Kind> : near_enough<Kind, Wet>;
+        const double near = part < parts_after_jump ? near_inside : at_end;
         const RootOutcome root = find_roots<Kind, Wet, split_lanes>(
             film_at, bend_at, b_at,
             {s.natural + first, radiation, p.pull, s.temperature + first, s.slope + first}, near,

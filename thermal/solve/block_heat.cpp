@@ -11,8 +11,9 @@ BlockHeat::BlockHeat(const SolveState& solve, const Level& level, const Block& b
       block_(block),
       kind_(level.kind[block.material]),
       filled_(filled),
-      backs_(backs) {
-    facet_heat(solve, block, face(0), 0, before_);
+      backs_(backs),
+      face_heat_(solve, block, backs ? block.behind : block.facet) {
+    face_heat_.at(face(0), 0, before_);
     std::copy_n(before_, filled, at_end);
     add_sky(0);
 }
@@ -31,7 +32,7 @@ void BlockHeat::add_sky(std::size_t time) {
 }
 
 void BlockHeat::begin_step(std::size_t i) {
-    facet_heat(solve_, block_, face(i), i, after_);
+    face_heat_.at(face(i), i, after_);
     edges_ = edges_of(level_, backs_ ? block_.back : block_.front, i);
     const double absorptance = edges_.empty() ? 0.0 : face(i).absorptance;
     for (const Block::Jump& edge : edges_) jump_[edge.lane] = absorptance * double(edge.heat);

@@ -51,6 +51,7 @@ class BlockHeat {
     const Kind& kind_;
     std::size_t filled_;
     bool backs_;
+    FaceHeat face_heat_;
     std::span<const Block::Jump> edges_;
     alignas(64) double before_[mode_lanes], after_[mode_lanes], jump_[mode_lanes] = {};
 };

@@ -37,10 +37,15 @@ std::vector<double> warmest_dew(const SolveState& solve, const Kind& kind, const
 
 Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::size_t lane,
            const std::vector<double>& warmest) {
+    // An hour's dew counts, not that of ten minutes.
+    const std::size_t stride = solve.options.quick ? 3 : 1;
     Dew dew;
+    std::vector<float> kelvin(solve.kelvin.slots());
+    solve.kelvin.get(block.facet[lane], kelvin.data());
+    const NaturalFilm natural = natural_film_of(solve, block.facet[lane]);
     const double radiation = kind.column.surface.emissivity * stefan_boltzmann;
-    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        const double t = solve.kelvin.at(i, block.facet[lane]);
+    for (std::size_t i = 0; i < solve.instant.size(); i += stride) {
+        const double t = kelvin[i];
         // Far from it, as most are, nothing need be known exactly.
         if (t > warmest[i]) continue;
         const std::size_t time = time_of(solve, kind, i);
@@ -53,12 +58,12 @@ Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::s
         if (saturation_over_frost(t, slope) > vapour) continue;
         const AirFilm air =
             block.up.empty() ? low : air_between(low, kind.high(block, time).air, block.up[lane]);
-        const Film film = film_of(air, natural_film_of(solve, block.facet[lane]), t);
+        const Film film = film_of(air, natural, t);
         const double heat = latent_heat_or_frost(air, film, 0.0, 0.0, t).flux;
         if (heat <= 0.0) continue;
         const double loses = film.h + film.rise + 4.0 * radiation * t * t * t;
         dew.most_warming = std::max(dew.most_warming, heat / loses);
-        dew.gathered += solve.step * heat / heat_of_vapour(air.air_temperature, t);
+        dew.gathered += double(stride) * solve.step * heat / heat_of_vapour(air.air_temperature, t);
     }
     return dew;
 }

@@ -58,7 +58,7 @@ void Extrapolation::after_pass(SolveState& solve) {
     for_each_index(solve.block.size(), [&](std::size_t b) {
         Block& block = solve.block[b];
         std::vector<Iterate>& known = of_block_[b];
-        if (solve.of_target(block) || block.settled(solve.options)) {
+        if (solve.of_target(block) || block.settled(solve.options, solve.left_by_pass)) {
             known.clear();
             return;
         }

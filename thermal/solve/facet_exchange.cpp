@@ -1,6 +1,7 @@
 #include "thermal/solve/facet_exchange.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "materials/base/parallel.hpp"
 #include "terrain/visibility/interreflection.hpp"
@@ -9,8 +10,8 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t instants_at_once = PackedField::run;  // a cache line of every facet
-constexpr double sunlight_bound = 1e-4;  // of the global sun, skipped of a facet's light
+// Three cache lines of every facet, for each of which the rows of view factors are read once.
+constexpr std::size_t instants_at_once = 3 * PackedField::run;
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -21,11 +22,14 @@ class SunlightAtOnce {
         : scene_(scene), sun_(sun), instants_(instants) {
         incident_.resize(scene.facets.size() * instants.size());
         spread_albedo();
-        for (const std::size_t i : instants) {
+        light_.resize(sun.sky.tiers);
+        for (std::size_t k = 0; k < instants.size(); ++k) {
+            const std::size_t first = instants[k] * sun.sky.tiers;
             for (std::size_t tier = 0; tier < sun.sky.tiers; ++tier) {
-                const SkyState& sky = sun.sky.sky[i * sun.sky.tiers + tier];
-                const SkyLight light = sky_light(sky);
-                light_.push_back({light, sky.global_horizontal()});
+                light_[tier].put(k, sun.sky.sky[first + tier]);
+            }
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                to_sun_[axis][k] = float(sun.sky.sky[first].to_sun[Eigen::Index(axis)]);
             }
         }
     }
@@ -34,34 +38,43 @@ class SunlightAtOnce {
     void add_sunlight() {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
-            const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
-            float share[instants_at_once];
-            shares_of(f, share);
-            OpenSky open = open_sky(sky_of(scene_.views, scene_.facets, f));
-            open.view = double{scene_.views.sky[f]};
-            for (std::size_t k = 0; k < n; ++k) {
-                const SkyState& sky = sun_.sky.sky[instants_[k] * sun_.sky.tiers];
-                // The fraction counts the facet's own turning away already.
-                const double seen = std::max(0.0, normal.dot(sky.to_sun)) * double(share[k]);
-                const auto of_tier = [&](const Light& of) {
-                    double light = facet_sunlight(of.sky, seen, open);
-                    if (scene_.exchange) {
-                        light += double(scene_.views.below[f]) * albedo(f, k) * of.global;
-                    }
-                    return light;
-                };
-                const double light = sun_.sky.at_facet(light_, k, f, of_tier);
-                incident_[f * n + k] = float(light);
+            const Eigen::Vector3f normal = scene_.facets.normal[f];
+            alignas(32) float seen[instants_at_once], light[instants_at_once];
+            // The fraction counts the facet's own turning away already.
+            shares_of(f, seen);
+            for (std::size_t k = 0; k < instants_at_once; ++k) {
+                seen[k] *= std::max(0.0f, normal.x() * to_sun_[0][k] + normal.y() * to_sun_[1][k] +
+                                              normal.z() * to_sun_[2][k]);
             }
+            const SkyVector shares = sky_of(scene_.views, scene_.facets, f);
+            const OpenSky open{.view = double{scene_.views.sky[f]},
+                               .horizon = horizon_view(shares),
+                               .shares = shares};
+            const std::size_t low = light_.size() == 1 ? 0 : sun_.sky.low[f];
+            light_[low].fall(seen, open, light);
+            add_below(f, light_[low], light);
+            if (light_.size() > 1) {
+                alignas(32) float above[instants_at_once];
+                light_[low + 1].fall(seen, open, above);
+                add_below(f, light_[low + 1], above);
+                const float share = sun_.sky.share[f];
+                for (std::size_t k = 0; k < instants_at_once; ++k) {
+                    light[k] += share * (above[k] - light[k]);
+                }
+            }
+            std::copy_n(light, n, incident_.begin() + std::ptrdiff_t(f * n));
         });
     }
 
     /// What facets reflect of each other, to the bound.
     void bounce(double bound) {
         const std::size_t n = instants_.size(), counted = scene_.facets.size() - scene_.beside;
-        std::vector<float> scale(n), unsent(incident_.size()), counts(scene_.facets.size());
+        // Whole vectors, zero beyond the instants.
+        const std::size_t wide = (n + PackedField::run - 1) / PackedField::run * PackedField::run;
+        std::vector<float> scale(n), unsent(scene_.facets.size() * wide),
+            counts(scene_.facets.size());
         for (std::size_t k = 0; k < n; ++k) {
-            scale[k] = float(1.0 / (bound * light_[k * sun_.sky.tiers].global));
+            scale[k] = float(1.0 / (bound * double(light_.front().global[k])));
         }
         // (T32) of docs/theory.md
         const auto reflect = [&](std::size_t f, const float* light, float* out) {
@@ -73,11 +86,11 @@ class SunlightAtOnce {
             return most;
         };
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
-            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * n]) : 0.0f;
+            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * wide]) : 0.0f;
         });
         const ViewFactors& seen = scene_.views.others;
         interreflect(SeenRows{.row = seen.row, .source = seen.facet, .factor = seen.factor},
-                     {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
+                     {.value = unsent.data(), .stride = wide, .lanes = wide, .counts = counts},
                      [&](std::size_t f, const float* arrived, float* out) {
                          for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
                          return f < counted ? reflect(f, arrived, out) : 0.0f;
@@ -88,10 +101,66 @@ class SunlightAtOnce {
     std::span<const float> incident() const { return incident_; }
 
  private:
-    /// A facet's share in the sun at these instants.
+    /// The light of a tier's sky at these instants, as SkyLight; zero beyond them. In arrays, so
+    /// that a facet's light at all of them is computed in vectors.
+    struct TierLight {
+        alignas(32) float beam[instants_at_once] = {}, even[instants_at_once] = {},
+                          horizon[instants_at_once] = {};
+        alignas(32) float uneven[sky_functions][instants_at_once] = {};
+        alignas(32) float global[instants_at_once] = {};  // [W m⁻²] on the horizontal
+        std::array<bool, sky_functions> any{};            // not zero at all instants
+
+        void put(std::size_t k, const SkyState& sky) {
+            const SkyLight of = sky_light(sky);
+            beam[k] = float(of.beam);
+            even[k] = float(of.even);
+            horizon[k] = float(of.horizon);
+            global[k] = float(sky.global_horizontal());
+            for (std::size_t j = 0; j < sky_functions; ++j) {
+                uneven[j][k] = of.uneven[j];
+                any[j] = any[j] || of.uneven[j] != 0.0f;
+            }
+        }
+        /// facet_sunlight() at all of the instants.
+        void fall(const float* seen, const OpenSky& open, float* light) const {
+            const float view = float(open.view), ring = float(open.horizon);
+            alignas(32) float sky[instants_at_once];
+            for (std::size_t k = 0; k < instants_at_once; ++k) {
+                sky[k] = even[k] * view + horizon[k] * ring;
+            }
+            for (std::size_t j = 0; j < sky_functions; ++j) {
+                if (!any[j]) continue;
+                const float share = open.shares[j];
+                for (std::size_t k = 0; k < instants_at_once; ++k) sky[k] += uneven[j][k] * share;
+            }
+            for (std::size_t k = 0; k < instants_at_once; ++k) {
+                light[k] = beam[k] * seen[k] + std::max(0.0f, sky[k]);
+            }
+        }
+    };
+
+    /// What ground below the scene's edge reflects.
+    void add_below(std::size_t f, const TierLight& of, float* light) const {
+        const float below = scene_.views.below[f];
+        if (!scene_.exchange || below == 0.0f) return;
+        for (std::size_t k = 0; k < instants_.size(); ++k) {
+            light[k] += below * albedo(f, k) * of.global[k];
+        }
+    }
+    /// A facet's share in the sun at these instants; zero beyond them.
     void shares_of(std::size_t f, float* share) const {
         const std::size_t n = instants_.size();
+        std::fill(share + n, share + instants_at_once, 0.0f);
         if (sun_.shares != nullptr && !sun_.shares->empty()) {
+            const int first = sun_.shares->slot(sun_.first + instants_.front());
+            const int last = sun_.shares->slot(sun_.first + instants_.back());
+            const bool whole = (n % PackedField::run == 0 || last + 1 == int(sun_.shares->slots()));
+            if (first % int(PackedField::run) == 0 && last == first + int(n) - 1 && whole) {
+                for (std::size_t k = 0; k < n; k += PackedField::run) {
+                    sun_.shares->get((std::size_t(first) + k) / PackedField::run, f, share + k);
+                }
+                return;
+            }
             for (std::size_t k = 0; k < n; ++k) {
                 share[k] = sun_.shares->at(sun_.first + instants_[k], f);
             }
@@ -126,11 +195,8 @@ class SunlightAtOnce {
     const ExchangingFacets& scene_;
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
-    struct Light {
-        SkyLight sky;
-        double global;  // [W m⁻²] on the horizontal
-    };
-    std::vector<Light> light_;  // (instant, tier)
+    std::vector<TierLight> light_{};                      // (tier)
+    alignas(32) float to_sun_[3][instants_at_once] = {};  // (axis, instant)
     std::vector<float> incident_;
     std::vector<float> changed_;  // (facet, instant) albedo; empty: FacetOptics'
 };
@@ -186,8 +252,8 @@ void incident_sunlight(
     const bool bounces = scene.exchange && !scene.views.others.facet.empty();
     const std::vector<float> albedo = greatest_albedo(scene);
     const double bound =
-        sunlight_bound * (1.0 - double(greatest_sent_on(
-                                    scene.views, std::span(albedo).first(facets - scene.beside))));
+        scene.bound * (1.0 - double(greatest_sent_on(
+                                 scene.views, std::span(albedo).first(facets - scene.beside))));
     const std::vector<std::size_t> lit = sunlit(sun.sky);
     for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
         const std::size_t count = std::min(instants_at_once, lit.size() - first);
@@ -215,18 +281,28 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
 
 void arriving_longwave(const FacetViews& view, std::span<const float> leaving, std::size_t facet,
                        std::span<float> excess) {
+    constexpr std::size_t width = PackedField::run;
     const std::size_t instants = excess.size();
-    const auto add = [&](std::size_t from, float factor, bool first) {
-        const float* sent = leaving.data() + from * instants;
-        if (first) {
-            for (std::size_t i = 0; i < instants; ++i) excess[i] = factor * sent[i];
+    const std::size_t begin = view.others.row[facet], end = view.others.row[facet + 1];
+    const float itself = seen_as_itself(view, facet);
+    for (std::size_t first = 0; first < instants; first += width) {
+        const std::size_t n = std::min(width, instants - first);
+        alignas(64) float sum[width];
+        const auto add = [&](std::size_t count) __attribute__((always_inline)) {
+            const float* const own = leaving.data() + facet * instants + first;
+            for (std::size_t i = 0; i < count; ++i) sum[i] = itself * own[i];
+            for (std::size_t k = begin; k < end; ++k) {
+                const float factor = view.others.factor[k];
+                const float* const sent = leaving.data() + view.others.facet[k] * instants + first;
+                for (std::size_t i = 0; i < count; ++i) sum[i] += factor * sent[i];
+            }
+        };
+        if (n == width) {
+            add(width);
         } else {
-            for (std::size_t i = 0; i < instants; ++i) excess[i] += factor * sent[i];
+            add(n);
         }
-    };
-    add(facet, seen_as_itself(view, facet), true);
-    for (auto k = view.others.row[facet]; k < view.others.row[facet + 1]; ++k) {
-        add(view.others.facet[k], view.others.factor[k], false);
+        std::copy_n(sum, n, excess.begin() + std::ptrdiff_t(first));
     }
 }
 

@@ -34,6 +34,7 @@ struct ExchangingFacets {
     std::size_t beside = 0;                    // the last ones, which others do not see
     bool exchange = true;                      // else each sees only sun and sky
     const ChangingAlbedo* changing = nullptr;  // null: no changes
+    double bound = 1e-4;                       // of the global sun, skipped of a facet's light
 };
 
 /// The sky over facets at different heights: computed at a few heights, linear in between.
@@ -69,14 +70,14 @@ struct SunlitInstants {
 float greatest_sent_on(const FacetViews& views, std::span<const float> reflectance);
 
 /// Sunlight on every facet [W m⁻²]: beam and sky (facet_sunlight) and reflections by other facets,
-/// all interreflections to 1e-4 of the horizontal global sun (interreflection.hpp). Ground below
+/// all interreflections to `bound` of the horizontal global sun (interreflection.hpp). Ground below
 /// the scene's edge reflects the horizontal global sun with the facet's own reflectance.
 ///
 /// incident  (instant, facet)
 void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
                        std::span<float> incident);
-/// The same for the sunlit instants, PackedField::run of them at a time in their order; the light
-/// of the others is zero.
+/// The same for the sunlit instants, some multiple of PackedField::run of them at a time, fewer at
+/// last, in their order; the light of the others is zero.
 ///
 /// put  (instants, light): light is (facet, instant of these)
 void incident_sunlight(

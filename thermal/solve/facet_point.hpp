@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -36,6 +37,11 @@ inline void note_alternating(FacetPoint& p) {
     p.alternates =
         p.alternates || (p.passes >= enough_passes && p.residual > 0.5 * p.earlier_residual);
     p.earlier_residual = p.residual;
+}
+
+/// [K] A point whose start is to move by less is periodic.
+inline double move_of_point(const SolveOptions& options) {
+    return std::max(0.01, 0.2 * options.still);
 }
 
 /// The facet that is a point's back; without one the facet itself.

@@ -47,15 +47,16 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
     mean.vapour_pressure = sums[3] / n;
     std::vector<double> heat(block.stride, kind.column.surface.emissivity * sky / n),
         at(block.stride);
+    FaceHeat fronts(solve, block, block.facet), backs(solve, block, block.behind);
     for (std::size_t i = 0; i < solve.steps(); ++i) {
-        facet_heat(solve, block, front_of(solve, block, kind, i), i, at.data());
+        fronts.at(front_of(solve, block, kind, i), i, at.data());
         for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(solve.steps());
         if (block.behind.empty()) continue;
         // As if it fell on the front, beyond what the grid's film behind gives.
         const BlockFace back = back_of(solve, block);
         const double rest =
             back.emissivity * sky / n - absorbed_of_air(mean, kind.column.surface.back->emissivity);
-        facet_heat(solve, block, back, i, at.data());
+        backs.at(back, i, at.data());
         for (std::size_t l = 0; l < count; ++l) heat[l] += (at[l] + rest) / double(solve.steps());
     }
     const Eigen::VectorXd steady = kind.modes ? steady_states(kind) : Eigen::VectorXd();

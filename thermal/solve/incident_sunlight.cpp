@@ -143,18 +143,22 @@ void store_shares(SolveState& solve) {
     solve.shares = fraction.empty() ? PackedField{} : PackedField(sunlit_slots(solve), facets);
     if (solve.shares.empty()) return;
     const std::vector<std::size_t> lit = sunlit(sky_over(solve, solve.sky.size(), 0));
-    for_each_index(
-        facets,
-        [&](std::size_t f) {
-            float values[PackedField::run];
+    constexpr std::size_t at_once = 64;
+    for_each_block(facets, 64 * at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> values(PackedField::run * at_once);
+        std::size_t chosen[at_once];
+        for (std::size_t first = begin; first < end; first += at_once) {
+            const std::size_t n = std::min(at_once, end - first);
+            for (std::size_t l = 0; l < n; ++l) chosen[l] = first + l;
             for (std::size_t r = 0; r < solve.shares.runs(); ++r) {
                 for (std::size_t k = 0; k < solve.shares.width(r); ++k) {
-                    values[k] = fraction[lit[r * PackedField::run + k] * facets + f];
+                    const std::size_t row = lit[r * PackedField::run + k];
+                    std::copy_n(&fraction[row * facets + first], n, &values[k * at_once]);
                 }
-                solve.shares.put(r, f, values);
+                solve.shares.put(r, {chosen, n}, at_once, values.data());
             }
-        },
-        4096);
+        }
+    });
 }
 
 void add_sunlight(SolveState& solve) {
@@ -168,7 +172,8 @@ void add_sunlight(SolveState& solve) {
                            .optics = optics,
                            .beside = solve.input.beside,
                            .exchange = solve.options.exchange,
-                           .changing = changing},
+                           .changing = changing,
+                           .bound = solve.options.quick ? 5e-4 : 1e-4},
                           {.sky = sky_over(solve, count, first),
                            .fraction = {},
                            .shares = &solve.shares,
@@ -177,10 +182,12 @@ void add_sunlight(SolveState& solve) {
     };
     std::size_t run = 0;
     const auto put_run = [&](std::span<const float> light, std::size_t width) {
-        for_each_index(
-            solve.facets,
-            [&](std::size_t f) { solve.sunlight.put(run, f, light.data() + f * width); }, 4096);
-        ++run;
+        for (std::size_t k = 0; k < width; k += PackedField::run, ++run) {
+            for_each_index(
+                solve.facets,
+                [&](std::size_t f) { solve.sunlight.put(run, f, light.data() + f * width + k); },
+                4096);
+        }
     };
     if (solve.input.measured_share.empty()) {
         at(solve.optics, changes ? &solve.changing : nullptr, solve.sky.size(), 0,

@@ -5,8 +5,9 @@
 
 namespace diurna {
 
-LaneClock::LaneClock(std::size_t steps, double step, double longest, std::vector<Jump> jumps)
-    : steps_(steps), length_(step), longest_(longest), jump_(std::move(jumps)) {
+LaneClock::LaneClock(std::size_t steps, double step, double longest, double first,
+                     std::vector<Jump> jumps)
+    : steps_(steps), length_(step), longest_(longest), first_(first), jump_(std::move(jumps)) {
     begin();
 }
 
@@ -18,7 +19,7 @@ void LaneClock::begin() {
 
 /// As far as the light goes on without a jump, within the step.
 void LaneClock::plan_stretch(bool restart) {
-    constexpr double first = 5.0, no_stretch = 1.0, crumb = 1e-6;  // [s]
+    constexpr double no_stretch = 1.0, crumb = 1e-6;  // [s]
     while (next_jump_ < jump_.size() && jump_[next_jump_].step == i_) {
         const double ahead = (jump_[next_jump_].share - now_) * length_;
         if (ahead > (now_ > 0.0 ? no_stretch : crumb)) break;
@@ -27,7 +28,7 @@ void LaneClock::plan_stretch(bool restart) {
     }
     const bool jumps = next_jump_ < jump_.size() && jump_[next_jump_].step == i_;
     until_ = jumps ? jump_[next_jump_].share : 1.0;
-    if (restart) wanted_ = first;
+    if (restart) wanted_ = first_;
     plan_step();
 }
 

@@ -6,15 +6,16 @@
 namespace diurna {
 
 /// Step control of one facet over a span of even steps: from its start and from each jump of its
-/// sunlight with a step of 5 s that grows; steps that do not converge are halved.
+/// sunlight with a first, short step that grows; steps that do not converge are halved.
 class LaneClock {
  public:
     struct Jump {
         std::size_t step;
         double share;  // of the step
     };
-    /// step, longest  [s]; jumps ascending
-    LaneClock(std::size_t steps, double step, double longest, std::vector<Jump> jumps);
+    /// step, longest, first  [s]; jumps ascending
+    LaneClock(std::size_t steps, double step, double longest, double first,
+              std::vector<Jump> jumps);
 
     void begin();  // the span (again)
     std::size_t step() const { return i_; }
@@ -36,7 +37,7 @@ class LaneClock {
     void plan_step();
 
     std::size_t steps_;
-    double length_, longest_;
+    double length_, longest_, first_;
     std::vector<Jump> jump_;
     std::size_t i_ = 0, next_jump_ = 0, depth_ = 0;
     double now_ = 0.0, set_out_ = 0.0, until_ = 1.0;  // until: the next jump, or the step's end

@@ -17,6 +17,8 @@ constexpr int most_sweeps = 10, sweeps_together = 3;
 /// [W m⁻²] of longwave that is followed further: a tenth of a millikelvin, or a thousandth of the
 /// largest change.
 constexpr float least_change = 0.002f, least_share = 1e-3f;
+/// The same of a quick solve.
+constexpr float least_quick_change = 0.02f, least_quick_share = 3e-3f;
 
 /// Largest of what has arrived at a block's facets and their backs.
 float most_of(const Block& block, const MovedLongwave& field) {
@@ -26,38 +28,49 @@ float most_of(const Block& block, const MovedLongwave& field) {
     return most;
 }
 
-/// What has arrived at facets, as heat that a face takes in: (instant, facet).
+/// What has arrived at facets, as heat that a face takes in: (instant of the level, facet).
 Eigen::MatrixXf arrived_heat(std::span<const std::size_t> facets, float emissivity,
                              const MovedLongwave& field) {
     Eigen::MatrixXf heat(Eigen::Index(field.used), Eigen::Index(facets.size()));
     for (std::size_t l = 0; l < facets.size(); ++l) {
         field.moved().get(facets[l], heat.col(Eigen::Index(l)).data());
     }
-    return emissivity * heat;
+    heat *= emissivity;
+    if (field.apart == 1) return heat;
+    const auto apart = Eigen::Index(field.apart);
+    Eigen::MatrixXf between(apart * (heat.rows() - 1) + 1, heat.cols());
+    for (Eigen::Index k = 0; k < between.rows(); ++k) {
+        const Eigen::Index at = k / apart, next = std::min(at + 1, heat.rows() - 1);
+        const float share = float(k % apart) / float(apart);
+        between.row(k) = heat.row(at) + share * (heat.row(next) - heat.row(at));
+    }
+    return between;
 }
 
 /// Makes of what has arrived at facets what leaves them: what they reflect of it, and what they
-/// send more that are warmer by so much, (instant, facet). What comes back from their own like has
-/// been followed with it (left_of_slopes).
+/// send more that are warmer by so much, (instant of the level, facet). What comes back from their
+/// own like has been followed with it (left_of_slopes).
 ///
 /// - own: (place in `facets`) 0: another block does so; empty: all 1
 void send_more(SolveState& solve, std::span<const std::size_t> facets,
                const Eigen::MatrixXd& warmer, std::span<const std::uint8_t> own,
                MovedLongwave& field) {
+    std::vector<float> all(solve.kelvin.slots()), kelvin(field.used);
     for (std::size_t l = 0; l < facets.size(); ++l) {
         if (!own.empty() && own[l] == 0) continue;
         const std::size_t f = facets[l];
         const float emissivity = solve.optics.emissivity[f], itself = field.itself[f];
-        const float all = field.to_and_fro(f, 1.0f - emissivity);
+        const float to_and_fro = field.to_and_fro(f, 1.0f - emissivity);
+        field.kelvin_of(solve, f, 0, all, kelvin);
         const bool back = field.is_back(f);
         for (std::size_t run = 0; run < field.moved().runs(); ++run) {
-            float kelvin[PackedField::run], more[PackedField::run], leaving[PackedField::run];
+            float more[PackedField::run], leaving[PackedField::run];
             const std::size_t width = field.moved().width(run);
-            solve.kelvin.get(run, f, kelvin);
             for (std::size_t k = 0; k < width; ++k) {
-                const auto row = Eigen::Index(run * PackedField::run + k);
-                const float t = kelvin[k];
-                more[k] = all * 4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
+                const std::size_t slot = run * PackedField::run + k;
+                const auto row = Eigen::Index(slot * field.apart);
+                const float t = kelvin[slot];
+                more[k] = to_and_fro * 4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
                           float(warmer(row, Eigen::Index(l)));
             }
             if (back) {
@@ -81,9 +94,9 @@ void send_more(SolveState& solve, std::span<const std::size_t> facets,
 double back_from_own_like(const SolveState& solve, std::size_t f, const MovedLongwave& field) {
     if (field.itself[f] == 0.0f) return 0.0;
     double mean = 0.0;
-    std::vector<float> kelvin(field.used);
+    std::vector<float> kelvin(solve.kelvin.slots());
     solve.kelvin.get(f, kelvin.data());
-    for (const double t : kelvin) mean += t * t * t / double(field.used);
+    for (const double t : kelvin) mean += t * t * t / double(kelvin.size());
     const double emissivity = solve.optics.emissivity[f];
     return field.itself[f] * field.to_and_fro(f, float(1.0 - emissivity)) * 4.0 * emissivity *
            emissivity * stefan_boltzmann * mean;
@@ -213,7 +226,7 @@ bool exchanging(const SolveInput& input) {
 }
 
 ExchangeChange exchange_longwave(SolveState& solve, const Level& level, ExchangeRoom& room) {
-    const std::size_t used = solve.steps() / level.stride + 1;
+    const std::size_t used = solve.excess.slots();
     std::vector<float> reflectance;
     for (const float emissivity : solve.optics.emissivity) {
         reflectance.push_back(1.0f - emissivity);
@@ -224,6 +237,7 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level, Exchange
     MovedLongwave field{
         .room = room,
         .used = used,
+        .apart = std::max<std::size_t>(1, solve.excess.stride() / level.stride),
         .most = std::vector<float>(solve.facets),
         .sends = std::vector<std::uint8_t>(solve.facets, 0),
         .itself = std::vector<float>(solve.facets),
@@ -246,7 +260,9 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level, Exchange
     }
     const float first = largest(std::span(field.most).first(solve.counted));
     result.heat = double(first);
-    const float least = std::max(least_change, least_share * first);
+    const bool quick = solve.options.quick;
+    const float least = std::max(quick ? least_quick_change : least_change,
+                                 (quick ? least_quick_share : least_share) * first);
     const auto tell_blocks = [&] {
         for (Block& block : solve.block) {
             block.heat_change += double(most_of(block, field));

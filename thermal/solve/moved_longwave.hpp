@@ -14,16 +14,18 @@ namespace diurna {
 /// Memory that the exchanges of a solve reuse.
 struct ExchangeRoom {
     PackedField moved{};  // what arrives at facets, or leaves them
-    // of a run of instants, (facet, instant): the exchange computes one run after the other
+    // of a few runs of instants, (facet, instant): the exchange computes them together
     std::vector<float> leaving{};
 };
 
-/// What arrives at facets and what they send on, at the instants of a level. Between the steps of
+/// What arrives at facets and what they send on, at the instants of a level or, where the excess is
+/// linear between some of them, at these. Between the steps of
 /// the exchange a facet has one or the other, in `moved`: what has arrived in the last step, until
 /// follow() makes of it what leaves.
 struct MovedLongwave {
     ExchangeRoom& room;
     std::size_t used;                  // instants
+    std::size_t apart;                 // steps of the level from one of these to the next
     std::vector<float> most;           // (facet) largest of what has arrived
     std::vector<std::uint8_t> sends;   // (facet) 1 where what leaves may be large enough to send
     std::vector<float> itself;         // (facet) share of its own like that it sees
@@ -38,6 +40,12 @@ struct MovedLongwave {
     }
     PackedField& moved() { return room.moved; }
     const PackedField& moved() const { return room.moved; }
+    /// Temperatures of a facet at as many of these instants as `chosen` holds, from the slot'th on,
+    /// the first of a run.
+    ///
+    /// - all: for all of the level's instants
+    const float* kelvin_of(const SolveState& solve, std::size_t f, std::size_t slot,
+                           std::vector<float>& all, std::vector<float>& chosen) const;
     bool is_back(std::size_t f) const { return !back.empty() && back[f] != no_back; }
     static constexpr std::uint32_t no_back = 0xFFFFFFFFu;
 };
@@ -50,7 +58,7 @@ void leaving_of(const SolveState& solve, const MovedLongwave& field, std::size_t
 /// Adds to a facet's values in a run of instants.
 void add_to(PackedField& values, std::size_t run, std::size_t f, const float* more);
 
-/// Recomputes all of the longwave, a run of instants after the other. `moved` becomes what arrives
+/// Recomputes all of the longwave, a few runs of instants at a time. `moved` becomes what arrives
 /// now less what did before; nothing where that is within a step of how it is stored. The sky of a
 /// facet's own height stands above it: what leaves is reported beyond the sky at the weather's
 /// height, what arrives beyond that at its own.

@@ -19,9 +19,12 @@ std::string reported(const SolveState& solve, std::size_t facet, Instant when,
                        format_instant(when), what);
 }
 
-/// Of the first temperature for which `good` does not hold; "" where it holds for all.
+/// Of the first temperature for which `good`, which holds between any two for which it holds, does
+/// not; "" where it holds for all.
 template <class Good>
 std::string first_bad(const SolveState& solve, const Good& good) {
+    const PackedField::Extremes all = solve.kelvin.extremes(solve.facets);
+    if (good(all.least) && good(all.greatest)) return "";
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const PackedField::Row row = solve.kelvin.row(i);
         for (std::size_t f = 0; f < solve.facets; ++f) {

@@ -38,6 +38,13 @@ PackedField PackedField::of_steps(std::size_t instants, std::size_t stride, std:
     return {std::move(slots), facets};
 }
 
+PackedField PackedField::linear_between(std::size_t instants, std::size_t stride,
+                                        std::size_t facets) {
+    PackedField field = of_steps(instants, stride, facets);
+    if (stride > 1) field.linear_ = stride;
+    return field;
+}
+
 namespace {
 
 constexpr std::size_t run = PackedField::run;
@@ -126,6 +133,85 @@ void PackedField::put(std::size_t r, std::size_t f, const float* values) {
     std::copy_n(all, n, code);
 }
 
+namespace {
+
+/// Rows of eight values become columns.
+void transpose(__m256 (&x)[8]) {
+    __m256 pair[8], four[8];
+    for (int k = 0; k < 8; k += 2) {
+        pair[k] = _mm256_unpacklo_ps(x[k], x[k + 1]);
+        pair[k + 1] = _mm256_unpackhi_ps(x[k], x[k + 1]);
+    }
+    for (int k = 0; k < 8; k += 4) {
+        four[k] = _mm256_shuffle_ps(pair[k], pair[k + 2], 0x44);
+        four[k + 1] = _mm256_shuffle_ps(pair[k], pair[k + 2], 0xEE);
+        four[k + 2] = _mm256_shuffle_ps(pair[k + 1], pair[k + 3], 0x44);
+        four[k + 3] = _mm256_shuffle_ps(pair[k + 1], pair[k + 3], 0xEE);
+    }
+    for (int k = 0; k < 4; ++k) {
+        x[k] = _mm256_permute2f128_ps(four[k], four[k + 4], 0x20);
+        x[k + 4] = _mm256_permute2f128_ps(four[k], four[k + 4], 0x31);
+    }
+}
+
+/// Eight rows of a run become its slots, and back.
+void to_slots(const float* rows, std::size_t stride, float* slots) {
+    for (std::size_t half = 0; half < run; half += 8) {
+        __m256 x[8];
+        for (std::size_t k = 0; k < 8; ++k) x[k] = _mm256_loadu_ps(rows + k * run + half);
+        transpose(x);
+        for (std::size_t k = 0; k < 8; ++k) _mm256_storeu_ps(slots + (half + k) * stride, x[k]);
+    }
+}
+void to_rows(const float* slots, std::size_t stride, float* rows) {
+    for (std::size_t half = 0; half < run; half += 8) {
+        __m256 x[8];
+        for (std::size_t k = 0; k < 8; ++k) x[k] = _mm256_loadu_ps(slots + (half + k) * stride);
+        transpose(x);
+        for (std::size_t k = 0; k < 8; ++k) _mm256_storeu_ps(rows + k * run + half, x[k]);
+    }
+}
+
+}  // namespace
+
+void PackedField::get(std::size_t r, std::span<const std::size_t> facets, std::size_t stride,
+                      float* values) const {
+    float rows[together * run];
+    for (std::size_t first = 0; first < facets.size(); first += together) {
+        const std::size_t n = std::min(together, facets.size() - first);
+        for (std::size_t k = 0; k < together; ++k) {
+            get(r, facets[first + std::min(k, n - 1)], rows + k * run);
+        }
+        if (width(r) == run) {
+            to_slots(rows, stride, values + first);
+            continue;
+        }
+        for (std::size_t slot = 0; slot < width(r); ++slot) {
+            for (std::size_t k = 0; k < together; ++k) {
+                values[slot * stride + first + k] = rows[k * run + slot];
+            }
+        }
+    }
+}
+
+void PackedField::put(std::size_t r, std::span<const std::size_t> facets, std::size_t stride,
+                      const float* values) {
+    float rows[together * run];
+    for (std::size_t first = 0; first < facets.size(); first += together) {
+        const std::size_t n = std::min(together, facets.size() - first);
+        if (width(r) == run) {
+            to_rows(values + first, stride, rows);
+        } else {
+            for (std::size_t slot = 0; slot < width(r); ++slot) {
+                for (std::size_t k = 0; k < n; ++k) {
+                    rows[k * run + slot] = values[slot * stride + first + k];
+                }
+            }
+        }
+        for (std::size_t k = 0; k < n; ++k) put(r, facets[first + k], rows + k * run);
+    }
+}
+
 void PackedField::get(std::size_t f, float* values) const {
     for (std::size_t r = 0; r < runs(); ++r) get(r, f, values + r * run);
 }
@@ -149,22 +235,98 @@ void PackedField::decode(std::size_t instant, std::span<float> values) const {
     for (std::size_t f = 0; f < facets_; ++f) values[f] = from(f);
 }
 
+void PackedField::decode(std::span<const std::size_t> instants, std::span<float> values) const {
+    assert(values.size() == instants.size() * facets_);
+    std::size_t facet[together];
+    float slots[run * together];
+    for (std::size_t first = 0, next = 0; first < instants.size(); first = next) {
+        if (slot_[instants[first]] < 0) {
+            std::fill_n(values.begin() + std::ptrdiff_t(first * facets_), facets_, 0.0f);
+            next = first + 1;
+            continue;
+        }
+        const auto r = std::size_t(slot_[instants[first]]) / run;
+        while (next < instants.size() && slot_[instants[next]] >= 0 &&
+               std::size_t(slot_[instants[next]]) / run == r) {
+            ++next;
+        }
+        for (std::size_t f = 0; f < facets_; f += together) {
+            const std::size_t n = std::min(together, facets_ - f);
+            for (std::size_t k = 0; k < n; ++k) facet[k] = f + k;
+            get(r, {facet, n}, together, slots);
+            for (std::size_t i = first; i < next; ++i) {
+                const float* const from = slots + std::size_t(slot_[instants[i]]) % run * together;
+                std::copy_n(from, n, values.data() + i * facets_ + f);
+            }
+        }
+    }
+}
+
+PackedField::Extremes PackedField::extremes(std::size_t count) const {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    Extremes all{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+    bool known = true;
+    float values[run];
+    for (std::size_t r = 0; r < runs(); ++r) {
+        for (std::size_t f = 0; f < count; ++f) {
+            get(r, f, values);
+            std::fill(values + width(r), values + run, values[0]);
+            const Range range = range_of(values);
+            known = known && range.finite;
+            all.least = std::min(all.least, range.low);
+            all.greatest = std::max(all.greatest, range.high);
+        }
+    }
+    return known ? all : Extremes{none, none};
+}
+
+namespace {
+
+std::size_t rounded_up(std::size_t facets) {
+    return (facets + PackedField::together - 1) / PackedField::together * PackedField::together;
+}
+
+}  // namespace
+
+const float* PackedReader::at(std::size_t instant) {
+    const int slot = field_.slot(instant);
+    if (slot < 0) return nullptr;
+    if (field_.linear()) return between(instant);
+    const std::size_t r = std::size_t(slot) / run;
+    if (r != run_) {
+        run_ = r;
+        values_.resize(run * stride_);
+        field_.get(r, facets_, stride_, values_.data());
+    }
+    return values_.data() + std::size_t(slot) % run * stride_;
+}
+
+const float* PackedReader::between(std::size_t instant) {
+    if (values_.empty()) {
+        values_.resize(field_.runs() * run * stride_);
+        between_.resize(stride_);
+        for (std::size_t r = 0; r < field_.runs(); ++r) {
+            field_.get(r, facets_, stride_, &values_[r * run * stride_]);
+        }
+    }
+    const float* const here = &values_[std::size_t(field_.slot(instant)) * stride_];
+    const float share = field_.share(instant);
+    if (share == 0.0f) return here;
+    for (std::size_t l = 0; l < stride_; ++l) {
+        between_[l] = here[l] + share * (here[l + stride_] - here[l]);
+    }
+    return between_.data();
+}
+
 PackedWriter::PackedWriter(PackedField& field, std::span<const std::size_t> facets)
-    : field_(field), facets_(facets), values_(facets.size() * PackedField::run) {}
+    : field_(field), facets_(facets), stride_(rounded_up(facets.size())), values_(run * stride_) {}
 
 void PackedWriter::add(const double* values) {
-    const std::size_t at = slot_++ % PackedField::run;
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
-        values_[k * PackedField::run + at] = float(values[k]);
-    }
-    if (at + 1 == PackedField::run) flush();
+    float* const row = values_.data() + slot_++ % run * stride_;
+    for (std::size_t k = 0; k < facets_.size(); ++k) row[k] = float(values[k]);
+    if (slot_ % run == 0) flush();
 }
 
-void PackedWriter::flush() {
-    const std::size_t r = (slot_ - 1) / PackedField::run;
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
-        field_.put(r, facets_[k], values_.data() + k * PackedField::run);
-    }
-}
+void PackedWriter::flush() { field_.put((slot_ - 1) / run, facets_, stride_, values_.data()); }
 
 }  // namespace diurna

@@ -14,8 +14,8 @@ void pass(SolveState& solve, const Level& level, double progress_from, double pr
             to - from,
             [&](std::size_t b) {
                 Block& block = solve.block[from + b];
-                block.rests =
-                    solve.of_target(block) || (!solve.record && block.settled(solve.options));
+                block.rests = solve.of_target(block) ||
+                              (!solve.record && block.settled(solve.options, solve.left_by_pass));
                 if (block.rests) return;
                 if (level.kind[block.material].modes) {
                     run_modes(solve, level, block);

@@ -115,9 +115,10 @@ std::vector<HeatState::Point> PointFacets::left() const {
 
 bool PointFacets::rests(const FacetPoint& p) const {
     if (!p.begun || p.kelvin.empty()) return false;
-    const bool closed = p.residual <= solve_.options.tolerance && p.move <= 0.01;
+    const bool closed =
+        p.residual <= solve_.options.tolerance && p.move <= move_of_point(solve_.options);
     if (solve_.options.periodic && !closed && !p.alternates) return false;
-    constexpr double counts = 0.05;  // [W m⁻²], as for blocks
+    const double counts = solve_.options.still_heat;  // as for blocks
     const std::vector<float>& relit = solve_.relit;
     if (!relit.empty() && std::max(relit[p.facet], relit[back_of_point(solve_, p)]) > counts) {
         return false;
@@ -260,7 +261,8 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
             facet.u[i] = 0.5 * (start[i] + facet.u[i]);
         }
         const bool store_settled = p.store.next(p.passes, stood, facet.standing);
-        closed = p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
+        closed = p.residual <= solve_.options.tolerance &&
+                 p.move <= move_of_point(solve_.options) && store_settled;
         if (closed) break;
     }
     if (periodic && !closed) note_alternating(p);

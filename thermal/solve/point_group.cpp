@@ -112,7 +112,7 @@ class GroupRun {
         begin_pass(l);
     }
     void set_clock(Lane& lane) const {
-        constexpr double longest_wet = 600.0;  // [s]
+        constexpr double longest_wet = 600.0, first = 5.0, quick_first = 20.0;  // [s]
         std::vector<LaneClock::Jump> jumps;
         for (const Instant when : lane.forcing->edges()) {
             const double place = seconds_between(solve_.instant.front(), when) / solve_.step;
@@ -122,7 +122,8 @@ class GroupRun {
         }
         double longest = solve_.step / solve_.options.refinement;
         if (batch_.stores()) longest = std::min(longest, longest_wet);
-        lane.clock.emplace(solve_.steps(), solve_.step, longest, std::move(jumps));
+        lane.clock.emplace(solve_.steps(), solve_.step, longest,
+                           solve_.options.quick ? quick_first : first, std::move(jumps));
     }
     void copy_lane(std::size_t from, std::size_t to) {
         for (std::size_t i = 0; i < nodes(); ++i) batch_.u[i * W + to] = batch_.u[i * W + from];
@@ -275,7 +276,8 @@ class GroupRun {
         p.residual = lane.search.residual;
         p.move = lane.search.move;
         const bool store_settled = p.store.next(p.passes, lane.stood, batch_.standing[l]);
-        return p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
+        return p.residual <= solve_.options.tolerance && p.move <= move_of_point(solve_.options) &&
+               store_settled;
     }
 
     const SolveState& solve_;

@@ -9,6 +9,19 @@
 
 namespace diurna {
 
+SolveOptions quick(SolveOptions options, double kelvin) {
+    const double share = std::min(1.0, kelvin / 0.1);
+    if (!(share > 0.0)) return options;
+    options.mode_error = std::max(options.mode_error, 0.03 * share);
+    options.tolerance = std::max(options.tolerance, 0.02 * share);
+    options.settled = std::max(options.settled, 0.05 * share);
+    options.quick = share >= 0.5;
+    if (!options.quick) return options;
+    options.still = std::max(options.still, 0.1 * share);
+    options.still_heat = std::max(options.still_heat, 0.3 * share);
+    return options;
+}
+
 std::vector<Instant> step_instants(const SolveOptions& options) {
     const auto steps = std::max(1LL, std::llround(options.duration / options.step));
     std::vector<Instant> instants;

@@ -54,7 +54,18 @@ struct SolveOptions {
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
     /// Called similarly after each pass that has not converged: pass, residual and where.
     std::function<void(const std::string&)> tell{};
+    /// Fewer passes and less work in each, for pictures: see quick().
+    bool quick = false;
+    double still = 0.01;       // [K] a block rests whose start moves by less, and
+    double still_heat = 0.05;  // [W m⁻²] whose neighbours' heat does
 };
+
+/// Options with which temperatures differ from those of the finest steps by less than half of
+/// `kelvin` (rms over facets and instants; measured: bench/solver_bench.cpp): fewer modes; Newton's
+/// method in a step, in the period and between neighbours ends earlier, as its last corrections
+/// show how far it is from the end; neighbours' longwave is linear between hours. Unchanged for
+/// 0; at most as for 0.1.
+SolveOptions quick(SolveOptions options, double kelvin);
 
 /// The instants between steps, at which sun exposure is needed: first `start`, last its end.
 std::vector<Instant> step_instants(const SolveOptions& options);

@@ -14,6 +14,8 @@ struct SolveReport {
     int passes = 0;                  // over the span
     double periodic_residual = 0.0;  // [K] worst |P(T) − T| over facets and nodes, last pass
     double estimated_error = 0.0;    // [K] residual through (I − M)⁻¹, and neighbours' effect
+    double limit = 0.0;              // [K] of it: SolveOptions::settled
+    double left_by_pass = 1.0;       // share of the error that a pass leaves, measured in hours
     double exchange_change = 0.0;    // [W m⁻²] worst change of terrain longwave, last pass
     double light_change = 0.0;       // [W m⁻²] largest change of absorbed reflected light due to
                                      // changes of snow and wetness in the last pass

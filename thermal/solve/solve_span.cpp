@@ -61,6 +61,7 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.passes = std::max(all.passes, one.passes);
     all.periodic_residual = std::max(all.periodic_residual, one.periodic_residual);
     all.estimated_error = std::max(all.estimated_error, one.estimated_error);
+    all.limit = std::max(all.limit, one.limit);
     all.exchange_change = std::max(all.exchange_change, one.exchange_change);
     all.light_change = std::max(all.light_change, one.light_change);
     all.worst_energy_closure = std::max(all.worst_energy_closure, one.worst_energy_closure);

@@ -64,25 +64,31 @@ BlockFace back_of(const SolveState& solve, const Block& block) {
             surface.emissivity, 0.0, surface.evaporation.wetness > 0.0};
 }
 
-void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,
-                double* heat) {
-    const bool flat = solve.tiers.flat();
-    const SkyState* const sky =
-        flat ? &solve.sky[i] : &solve.tier_sky[i * solve.tiers.size() + block.tier];
-    const double tilted = face.emissivity * sky->tilted_longwave;
-    const double more = flat ? 0.0 : face.emissivity * sky[1].tilted_longwave - tilted;
-    const PackedField::Row sunlight = solve.sunlight.row(i);
-    const bool exchange = !solve.excess.empty();
-    const PackedField::Row excess = exchange ? solve.excess.row(i) : PackedField::Row{};
-    for (std::size_t l = 0; l < face.facet.size(); ++l) {
-        const std::size_t f = face.facet[l];
-        heat[l] = face.absorptance * double(sunlight(f)) + face.internal;
-        if (exchange) heat[l] += face.emissivity * double(excess(f));
-        if (!solve.tilt.empty()) {
-            heat[l] += (flat ? tilted : tilted + block.up[l] * more) * solve.tilt[face.facet[l]];
+FaceHeat::FaceHeat(const SolveState& solve, const Block& block, std::span<const std::size_t> facets)
+    : solve_(solve), block_(block), sunlight_(solve.sunlight, facets, block.stride) {
+    if (!solve.excess.empty()) excess_.emplace(solve.excess, facets, block.stride);
+}
+
+void FaceHeat::at(const BlockFace& face, std::size_t i, double* heat) {
+    const std::size_t count = face.facet.size();
+    const float* const sunlight = sunlight_.at(i);
+    const float* const excess = excess_ ? excess_->at(i) : nullptr;
+    for (std::size_t l = 0; l < count; ++l) {
+        const double sun = sunlight ? double(sunlight[l]) : 0.0;
+        heat[l] = face.absorptance * sun + face.internal;
+        if (excess) heat[l] += face.emissivity * double(excess[l]);
+    }
+    if (!solve_.tilt.empty()) {
+        const bool flat = solve_.tiers.flat();
+        const SkyState* const sky =
+            flat ? &solve_.sky[i] : &solve_.tier_sky[i * solve_.tiers.size() + block_.tier];
+        const double tilted = face.emissivity * sky->tilted_longwave;
+        const double more = flat ? 0.0 : face.emissivity * sky[1].tilted_longwave - tilted;
+        for (std::size_t l = 0; l < count; ++l) {
+            heat[l] += (flat ? tilted : tilted + block_.up[l] * more) * solve_.tilt[face.facet[l]];
         }
     }
-    std::fill(heat + face.facet.size(), heat + block.stride, heat[0]);
+    std::fill(heat + count, heat + block_.stride, heat[0]);
 }
 
 KelvinRecord::KelvinRecord(SolveState& solve, const Block& block)

@@ -70,14 +70,24 @@ struct Block {
     std::vector<double> back_slope;  // of plates' backs
     std::vector<double> steepness;   // [lane] Σ over the span of its slopes, both faces
 
-    /// Running it again would change nothing significant: 0.05 W/m² of longwave are 3 mK. For a
+    /// Running it again would change nothing significant: 0.05 W/m² of longwave are 3 mK. A quick
+    /// solve counts with its corrections to first order, which leave a small share of them. For a
     /// span that is not periodic, first-order corrections are exact enough if they are within the
     /// final limit for neighbours' heat (on the default scene's second and third day 0.0003 K rms
     /// from another run, at most 0.013 K).
-    bool settled(const SolveOptions& options) const {
+    ///
+    /// - left: SolveState::left_by_pass
+    bool settled(const SolveOptions& options, double left) const {
         if (relit > 0.05) return false;
         if (!options.periodic) return warmed <= options.settled && unfollowed <= 0.05;
-        return residual <= options.tolerance && largest_move <= 0.01 && heat_change <= 0.05;
+        if (!options.quick) {
+            return residual <= options.tolerance && largest_move <= options.still &&
+                   heat_change <= options.still_heat;
+        }
+        constexpr double usual_left = 0.2;
+        const double share = std::min(1.0, usual_left / left);
+        return std::max(residual, largest_move) <= share * options.still &&
+               heat_change <= share * options.still_heat;
     }
     /// It has run on this level, so slopes are available.
     bool has_run() const { return !slope.empty(); }
@@ -99,6 +109,7 @@ struct StageForcing {
 struct ModeColumn {
     ReducedColumn reduced;
     Eigen::MatrixXd probe;  // (place, mode) temperature at some depths of the open column's states
+    bool quick = false;     // ModeStep::quick
     ClosedColumn closed{};
     ModeStep step{};
 };
@@ -184,6 +195,9 @@ struct SolveState {
     AlbedoMove albedo_move{};
     std::vector<float> relit{};  // (facet) [W m⁻²] as Block::relit; empty: no changes
     std::vector<Block> block;
+    /// Share of the error that a pass and its corrections to first order leave, as passes with
+    /// steps of an hour have shown; used by quick solves.
+    double left_by_pass = 1.0;
     std::vector<bool> in_network;  // (facet) part of a target; empty without targets
     HeatRecord* record = nullptr;  // of the current pass, if it is to be recorded
 
@@ -237,10 +251,22 @@ struct BlockFace {
 };
 BlockFace front_of(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i);
 BlockFace back_of(const SolveState& solve, const Block& block);
-/// Heat input [lane] of a block at an instant, as far as it differs between facets: sun, terrain
+/// Heat input of a block's fronts or backs, as far as it differs between facets: sun, terrain
 /// longwave, internal.
-void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,
-                double* heat);
+class FaceHeat {
+ public:
+    FaceHeat(const SolveState& solve, const Block& block, std::span<const std::size_t> facets);
+    /// At an instant [lane]; lanes beyond the facets have the first one's.
+    ///
+    /// - face: of those facets
+    void at(const BlockFace& face, std::size_t i, double* heat);
+
+ private:
+    const SolveState& solve_;
+    const Block& block_;
+    PackedReader sunlight_;
+    std::optional<PackedReader> excess_{};
+};
 
 /// Stores a block's surface temperatures, and those of its backs, from instant to instant of a
 /// level.

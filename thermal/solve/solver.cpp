@@ -75,11 +75,11 @@ TemperatureField kept(const SolveState& solve, const CoveredFacets& water) {
     TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
     field.water.facet = water.facet;
     field.kelvin.resize(instants.size() * solve.facets);
+    solve.kelvin.decode(instants, field.kelvin);
     field.water.cover.reserve(instants.size() * water.facet.size());
     for (std::size_t row = 0; row < instants.size(); ++row) {
         const std::size_t i = instants[row];
         field.instant.push_back(solve.instant[i]);
-        solve.kelvin.decode(i, field.at(row));
         const auto cover = water.at(i);
         field.water.cover.insert(field.water.cover.end(), cover.begin(), cover.end());
     }
@@ -137,14 +137,25 @@ ExchangeChange renew_longwave(SolveState& solve, const Level& level, ExchangeRoo
     return exchange_longwave(solve, level, room);
 }
 
+/// [K] The largest correction of a block's start after the last pass.
+double largest_move(const SolveState& solve) {
+    double most = 0.0;
+    for (const Block& block : solve.block) {
+        if (solve.of_target(block) || solve.is_beside(block)) continue;
+        most = std::max(most, block.largest_move);
+    }
+    return most;
+}
+
 /// A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
 void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::size_t stride,
                    Level& fine, NetworkFacets& targets, ExchangeRoom& room, SolveReport& report) {
     const bool neighbours = !solve.excess.empty();
-    const int passes = neighbours ? 4 : 2, most_passes = 10;
+    const int passes = !neighbours ? 2 : solve.options.quick ? 3 : 4, most_passes = 10;
     constexpr double alike = 1.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
     Level coarse = make_level(solve, kinds, stride, 1, &fine);
     renew_longwave(solve, coarse, room, report);
+    double moved = 0.0;
     for (int i = 0; i < passes || (i < most_passes && targets.moved() > alike); ++i) {
         {
             const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
@@ -154,10 +165,14 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
             correct(solve, coarse);
             targets.pass(solve, coarse);
         }
-        renew_longwave(solve, coarse, room, report);
+        const double warmer = renew_longwave(solve, coarse, room, report).warmer;
+        const double before = std::exchange(moved, largest_move(solve) + warmer);
+        if (i > 0) solve.left_by_pass = std::clamp(moved / before, 0.05, 1.0);
     }
     solve.kelvin = filled_between(solve, solve.kelvin, stride);
-    if (neighbours) solve.excess = filled_between(solve, solve.excess, stride);
+    if (neighbours && !solve.excess.linear()) {
+        solve.excess = filled_between(solve, solve.excess, stride);
+    }
     set_films(solve, fine, coarse);
     for (Block& block : solve.block) {
         block.move.clear();
@@ -170,15 +185,18 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
 void judge(const SolveState& solve, const PointFacets& points, const NetworkFacets& targets,
            const ExchangeChange& change, SolveReport& report) {
     const SolveOptions& options = solve.options;
+    // Corrections to first order leave a share of themselves, which passes in hours have measured.
+    const double left = options.quick && options.periodic ? solve.left_by_pass : 1.0;
+    report.left_by_pass = left;
     report.exchange_change = change.heat;
     report.periodic_residual = 0.0;
-    report.estimated_error = change.warmer;
+    report.estimated_error = left * change.warmer;
     for (const Block& block : solve.block) {
         if (!options.periodic) break;
         if (solve.of_target(block) || solve.is_beside(block)) continue;
-        report.periodic_residual = std::max(report.periodic_residual, block.residual);
+        report.periodic_residual = std::max(report.periodic_residual, left * block.residual);
         report.estimated_error =
-            std::max(report.estimated_error, block.largest_move + change.warmer);
+            std::max(report.estimated_error, left * (block.largest_move + change.warmer));
     }
     constexpr double least_film = 8.0;  // [W m⁻² K⁻¹] radiation and calm air
     report.estimated_error = std::max(report.estimated_error, report.light_change / least_film);
@@ -191,8 +209,10 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     constexpr double wet_steps = 0.05;
     const double settled =
         single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
-    report.within_error = report.estimated_error <= settled &&
-                          !(single.fresh && !solve.excess.empty()) && targets.at_rest() &&
+    // Dew that a second pass finds moves its neighbours' longwave by less than that.
+    const bool unseen =
+        single.fresh && !solve.excess.empty() && !(options.quick && report.passes > 1);
+    report.within_error = report.estimated_error <= settled && !unseen && targets.at_rest() &&
                           targets.summary().limited == 0;
     report.converged = report.within_error && report.periodic_residual <= options.tolerance;
 }
@@ -290,14 +310,9 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
-    std::vector<float> all(solve.facets);
-    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        solve.kelvin.decode(i, all);
-        const std::span row(all.data(), solve.counted);
-        const auto [coldest, warmest] = std::minmax_element(row.begin(), row.end());
-        report.coldest = i == 0 ? *coldest : std::min<double>(report.coldest, *coldest);
-        report.warmest = i == 0 ? *warmest : std::max<double>(report.warmest, *warmest);
-    }
+    const PackedField::Extremes all = solve.kelvin.extremes(solve.counted);
+    report.coldest = all.least;
+    report.warmest = all.greatest;
 }
 
 /// Once more over the span, every facet, as it has settled: what the balance is made of.
@@ -390,7 +405,8 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOv
     const SkySeries series(input.weather, input.site, input.elevation, input.clear_sky,
                            options.start, later(options.start, options.duration));
     SolveState state(input, options, series);
-    SolveReport report{.facets = state.facets, .steps = int(state.steps())};
+    SolveReport report{
+        .facets = state.facets, .steps = int(state.steps()), .limit = options.settled};
     const std::vector<KindOf> kinds = group_by_material(state);
     set_irradiance(state, given);
     Level fine = make_level(state, kinds, 1, StepSetup{}.most_substeps);
@@ -409,7 +425,9 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOv
         check_mean_balance(state);
     }
     if (options.exchange && exchanging(input)) {
-        state.excess = PackedField::of_steps(state.instant.size(), stride, state.facets);
+        state.excess = options.quick
+                           ? PackedField::linear_between(state.instant.size(), hours, state.facets)
+                           : PackedField::of_steps(state.instant.size(), stride, state.facets);
     }
     ExchangeRoom room;
     NetworkFacets targets(state);

@@ -21,7 +21,8 @@ ModeColumn mode_column(const SolveState& solve, const ThermalSurface& surface, d
         options.longest = std::min(options.longest, solve.options.duration);
     }
     ModeColumn modes{.reduced = reduce_column(surface.layers, surface.bottom, reference, options),
-                     .probe = {}};
+                     .probe = {},
+                     .quick = solve.options.quick};
     const Eigen::MatrixXd& profile = modes.reduced.profile;
     constexpr Eigen::Index places = 10;
     const Eigen::Index last = profile.rows() - 1;
@@ -128,6 +129,7 @@ void set_film(Kind& kind, double film, double step) {
     ModeColumn& modes = *kind.modes;
     modes.closed = close_column(modes.reduced, std::max(1.0, film));
     modes.step = make_mode_step(modes.reduced, modes.closed, step / kind.column.substeps);
+    modes.step.quick = modes.quick;
 }
 
 void set_plate_films(Kind& kind, double front, double back, double step) {

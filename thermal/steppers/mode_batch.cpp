@@ -168,7 +168,8 @@ ModeCoefficients ModeStep::coefficients(double emissivity) const {
             .reference = reference,
             .flux_below = flux_below,
             .emissivity = emissivity,
-            .step = step};
+            .step = step,
+            .quick = quick};
 }
 
 ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step) {
@@ -183,7 +184,8 @@ ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed,
                     .decay = {},
                     .from = {},
                     .to = {},
-                    .carry = {}};
+                    .carry = {},
+                    .quick = false};
     for (Eigen::Index m = 0; m < closed.rate.size(); ++m) {
         const StepWeights p = step_weights(closed.rate[m] * step);
         const double weight = closed.surface[m] * step;

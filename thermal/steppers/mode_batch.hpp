@@ -24,6 +24,7 @@ struct ModeStep {
     double response;                                     // Σ surface · to [K m² W⁻¹]
     std::vector<double> rate, surface, decay, from, to;  // (mode)
     std::vector<double> carry;                           // (mode) decay · to + from
+    bool quick = false;                                  // ModeCoefficients::quick
 
     std::size_t modes() const { return rate.size(); }
     ModeCoefficients coefficients(double emissivity) const;

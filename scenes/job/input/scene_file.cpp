@@ -103,10 +103,10 @@ void read_tolerance(const Section& root, Scene& scene) {
     scene.tolerance_given = root.has("tolerance_K");
     scene.tolerance = root.number_or(
         "tolerance_K",
-        "allowed rms error of a picture; facets that are neither visible nor "
-        "thermally coupled to visible ones reuse a representative's temperature; 0: "
-        "every facet is solved. temperatures.nc names the representatives. Tables of "
-        "a picture and interreflections are computed to a tenth of it, 1 to 10 mK",
+        "allowed rms error of a picture; facets that are neither visible nor thermally coupled to "
+        "visible ones reuse a representative's temperature, the heat balance of the others ends "
+        "within half of it, and tables of a picture and interreflections are computed to a tenth "
+        "of it (1 to 10 mK); 0: every facet is solved. temperatures.nc names the representatives",
         0.1, {0.0, 10.0});
     scene.rounds = root.integer_or(
         "rounds",

@@ -110,7 +110,7 @@ std::string not_converged(const SolveReport& report) {
         "the heat balance has not converged in {} passes: estimated error {:.1e} K (limit {:.2g} "
         "K), residual of the periodic day {:.1e} K{}{}; a shorter time.step_s or a longer weather "
         "record before the start may help",
-        report.passes, report.estimated_error, SolveOptions{}.settled, report.periodic_residual,
+        report.passes, report.estimated_error, report.limit, report.periodic_residual,
         report.furthest.empty() ? "" : ", largest at ", report.furthest);
     // What changed to the last, of passes that wait for one another.
     if (report.light_change > 0.05) {
@@ -118,7 +118,7 @@ std::string not_converged(const SolveReport& report) {
             "; reflected light of wet or snow-covered facets still changes by {:.1g} W/m2",
             report.light_change);
     }
-    if (report.target_residual > SolveOptions{}.settled) {
+    if (report.target_residual > report.limit) {
         reported +=
             fmt::format("; residual of the targets' periodic day {:.1g} K", report.target_residual);
     }
@@ -208,6 +208,10 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                          i > 0 && scene.movement.early[i]});
     }
     const StageHeat& first = *heat.front();
+    // Balances are reported to be closed, and what targets lose is followed step by step.
+    if (decision.every_facet.empty() && !span.heat && first.input().network.empty()) {
+        span.day = quick(span.day, decision.tolerance);
+    }
     std::optional<NeededFacets> needed;
     if (decision.every_facet.empty()) {
         needed = needed_facets(stages, first.input().network, decision.tolerance);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double longest_step = 300.0;          // [s] where temperatures bend
 constexpr double longest_straight = 600.0;      // [s] elsewhere
+constexpr double any_step = 1e9;                // [s] for a first guess
 constexpr double straight = 0.02;               // [K] rms of what bends from step to step
 constexpr double repeats_within = 3e-3;         // [K] of a period that is found
 constexpr double repeats_in_hours = 0.3;        // [K] of one that is only a first guess
@@ -192,18 +193,16 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
     const auto parts_of = [&](double longest) {
         return solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest - 1e-9)));
     };
-    const int fine = parts_of(longest_step), coarse = parts_of(longest_straight);
+    const int own = parts_of(target.longest), fewer = std::min(own, parts_of(longest_straight));
     Bend bend;
     bend.add(stepper.state.node);
     for (std::size_t i = 0; i < around.steps(); ++i) {
-        const int parts = target.stride > 1 || target.level > 1   ? 1
-                          : target.rough || bend.rms() < straight ? coarse
-                                                                  : fine;
+        const int parts = bend.rms() < straight ? fewer : own;
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
         if (solve_.options.periodic) period.add(stepper);
-        if (!target.rough) bend.add(stepper.state.node);
+        bend.add(stepper.state.node);
         put_down(i + 1, stepper, around, target);
     }
 }
@@ -222,11 +221,15 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
     const bool leads_in = solve_.options.leads_in;
     const bool last = target.closed && (!leads_in || solve_.record);
-    const double far = leads_in ? soon_done : far_from_alike;
-    stepper.closed = last ? last_closes : in_hours || open > far ? first_closes : others_close;
+    const bool far = !target.closed && open > far_from_alike,
+               nothing_known = far && open >= unknown;
+    const bool roughly = in_hours || far || (leads_in && !target.closed);
+    stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
     target.level = level.stride;
-    target.rough = in_hours || open > far_from_alike || leads_in;
-    target.stride = !in_hours && open >= unknown ? rough_stride(solve_) : level.stride;
+    target.longest = in_hours || nothing_known    ? any_step
+                     : far || (leads_in && !last) ? longest_straight
+                                                  : longest_step;
+    target.stride = !in_hours && nothing_known ? rough_stride(solve_) : level.stride;
     NetworkSurroundings around(solve_, level, *target.object, target.stride);
     if (target.start.empty()) {
         guess(target, around, stepper);

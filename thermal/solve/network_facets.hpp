@@ -48,7 +48,7 @@ class NetworkFacets {
     struct Target {
         const NetworkObject* object;
         std::size_t level = 1, stride = 1;           // of the last run, and of its steps
-        bool rough = false;                          // these were longer than the last run's
+        double longest = 0.0;                        // [s] parts of these, at most
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};                 // (instant of that, facet, side) input
         std::vector<double> start{}, end{};          // [K] nodes, then lumps

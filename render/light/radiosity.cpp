@@ -175,16 +175,50 @@ void Radiosity::reflect(std::size_t i, const float* light, float* out) const {
     }
 }
 
+namespace {
+
+/// Σ factor × radiosity over a row of sources, of `groups` groups of lanes from `first` on.
+template <std::size_t groups>
+void add_row(const LitFacets& lit, std::size_t i, const float* radiosity, std::size_t lanes,
+             std::size_t first, float* out) {
+    Lane sum[groups];
+    for (Lane& of : sum) of = Lane::Zero();
+    for (std::uint32_t e = lit.row[i]; e < lit.row[i + 1]; ++e) {
+        const float* from = radiosity + std::size_t{lit.source[e]} * lanes + first;
+        for (std::size_t g = 0; g < groups; ++g) {
+            sum[g] += lit.factor[e] * load(from + g * lane_count);
+        }
+    }
+    for (std::size_t g = 0; g < groups; ++g)
+        Eigen::Map<Lane>(out + first + g * lane_count) = sum[g];
+}
+
+}  // namespace
+
 void Radiosity::arriving(std::size_t i, const float* black, float* out) const {
     const std::size_t n = tables_.lanes;
-    const std::uint32_t begin = lit_.row[i], end = lit_.row[i + 1];
-    for (std::size_t k = 0; k < n; k += lane_count) {
-        Lane sum = Lane::Zero();
-        if (begin == end) sum = (1.0f - lit_.sky_view[i]) * load(black + k);
-        for (std::uint32_t e = begin; e < end; ++e) {
-            sum += lit_.factor[e] * load(&radiosity_[std::size_t{lit_.source[e]} * n + k]);
+    if (lit_.row[i] == lit_.row[i + 1]) {
+        for (std::size_t k = 0; k < n; k += lane_count) {
+            Eigen::Map<Lane>(out + k) = (1.0f - lit_.sky_view[i]) * load(black + k);
         }
-        Eigen::Map<Lane>(out + k) = sum;
+        return;
+    }
+    std::size_t k = 0;
+    for (; k + 4 * lane_count <= n; k += 4 * lane_count) {
+        add_row<4>(lit_, i, radiosity_.data(), n, k, out);
+    }
+    switch ((n - k) / lane_count) {
+        case 3:
+            add_row<3>(lit_, i, radiosity_.data(), n, k, out);
+            break;
+        case 2:
+            add_row<2>(lit_, i, radiosity_.data(), n, k, out);
+            break;
+        case 1:
+            add_row<1>(lit_, i, radiosity_.data(), n, k, out);
+            break;
+        default:
+            break;
     }
 }
 

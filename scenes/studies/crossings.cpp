@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -34,26 +33,63 @@ struct Asked {
     }
 };
 
+/// A zero, or a bracket about it that is no wider than requested.
+struct Narrowed {
+    At low, high;
+    std::optional<double> zero;
+};
+
+/// Narrows the bracket of a zero between two times of other sign, to `width`: secants (Anderson and
+/// Bjorck 1973), until the value is less than the secant makes in half of it, or the bracket is as
+/// narrow; halves where a jump keeps secants from it.
+template <class Function>
+Narrowed narrowed(const Function& difference, At low, At high, double width) {
+    double of_low = low.value, of_high = high.value;  // as the secants take them
+    int side = 0;
+    for (int i = 0; i < int(most_asked) && high.time - low.time > width; ++i) {
+        const double slope = (of_high - of_low) / (high.time - low.time);
+        const double time = i < most_secants
+                                ? std::clamp(low.time - of_low / slope, low.time + 0.1 * width,
+                                             high.time - 0.1 * width)
+                                : 0.5 * (low.time + high.time);
+        const At at{time, difference(time)};
+        if (std::abs(at.value) <= 0.5 * width * std::abs(slope)) {
+            return {low, high, at.time - at.value / slope};
+        }
+        const bool below = (at.value < 0.0) == (low.value < 0.0);
+        At& moved = below ? low : high;
+        double& other = below ? of_high : of_low;
+        const int now = below ? -1 : 1;
+        if (now == side) {
+            const double left = 1.0 - at.value / (below ? of_low : of_high);
+            other *= left > 0.0 ? left : 0.5;
+        }
+        side = now;
+        moved = at;
+        (below ? of_low : of_high) = at.value;
+    }
+    return {low, high, std::nullopt};
+}
+
 /// The zero between two times of other sign.
 ZeroCrossing between(const At& a, const At& b, const Asked& difference,
                      const CrossingSearch& search) {
-    At low = a, high = b;
-    if (a.value != 0.0 && b.value != 0.0) {
-        std::uintmax_t asked = most_asked;
-        const auto close = [&](double x, double y) { return y - x <= search.width; };
-        const auto [x, y] =
-            tools::toms748_solve(difference, a.time, b.time, a.value, b.value, close, asked);
-        low = {x, difference(x)};
-        high = {y, difference(y)};
-    }
     ZeroCrossing found;
-    const double step = high.value - low.value;
-    found.at = step == 0.0 ? 0.5 * (low.time + high.time)
-                           : low.time - low.value * (high.time - low.time) / step;
-    if (a.value == 0.0) found.at = a.time;
-    if (b.value == 0.0) found.at = b.time;
-    const double width = std::max(high.time - low.time, 1e-3);
-    if (low.time > a.time - 0.5 && width <= search.width && std::abs(step) > search.jumping) {
+    if (a.value == 0.0 || b.value == 0.0) {
+        found.at = a.value == 0.0 ? a.time : b.time;
+        if (b.value == 0.0) found.at = b.time;
+        found.slope = difference.slope(found.at);
+        return found;
+    }
+    const auto [low, high, zero] = narrowed(difference, a, b, search.width);
+    if (zero) {
+        found.at = *zero;
+        found.slope = difference.slope(found.at);
+        return found;
+    }
+    const double step = high.value - low.value, width = std::max(high.time - low.time, 1e-3);
+    found.at = low.time - low.value * (high.time - low.time) / step;
+    if (std::abs(step) > search.jumping) {
         found.kind = ZeroCrossing::Kind::jumps;
         found.slope = step / width;
         return found;
@@ -87,32 +123,6 @@ void about(const At& a, const At& middle, const At& b, const Asked& difference,
         found.push_back(
             {.at = at, .slope = 0.0, .least = bottom.value, .kind = ZeroCrossing::Kind::touches});
     }
-}
-
-/// The zero of a rising difference between two times, to `width`: secants (Anderson and Bjorck
-/// 1973), until the value is less than the secant makes in half of it, or the bracket is as narrow;
-/// halves where a jump keeps secants from it.
-double zero_within(const Difference& rising, At low, At high, double width) {
-    int side = 0;
-    for (int i = 0; i < int(most_asked) && high.time - low.time > width; ++i) {
-        const double slope = (high.value - low.value) / (high.time - low.time);
-        const double time = i < most_secants
-                                ? std::clamp(low.time - low.value / slope, low.time + 0.1 * width,
-                                             high.time - 0.1 * width)
-                                : 0.5 * (low.time + high.time);
-        const At at{time, rising(time)};
-        if (std::abs(at.value) <= 0.5 * width * slope) return at.time - at.value / slope;
-        At& moved = at.value < 0.0 ? low : high;
-        At& other = at.value < 0.0 ? high : low;
-        const int now = at.value < 0.0 ? -1 : 1;
-        if (now == side) {
-            const double left = 1.0 - at.value / moved.value;
-            other.value *= left > 0.0 ? left : 0.5;
-        }
-        side = now;
-        moved = at;
-    }
-    return 0.5 * (low.time + high.time);
 }
 
 }  // namespace
@@ -162,7 +172,8 @@ std::optional<double> nearest_crossing(const ZeroCrossing& like, const Differenc
             const At low = way > 0.0 ? from : to, high = way > 0.0 ? to : from;
             if (low.value == 0.0) return low.time;
             if (high.value == 0.0) return high.time;
-            return zero_within(rising, low, high, width);
+            const Narrowed at = narrowed(rising, low, high, width);
+            return at.zero.value_or(0.5 * (at.low.time + at.high.time));
         }
         from = to;
         step = std::min(2.0 * step, 1800.0);

@@ -33,8 +33,8 @@ inline constexpr double found_to = 0.5;               // [s]
 inline constexpr double jump = 0.05;                  // [K] within that
 inline constexpr double farthest_shift = 3.0 * 3600;  // [s] largest shift due to a changed number
 
-/// All crossings, ascending. Between two times of opposite sign one is found by a bracketed
-/// search (Alefeld, Potra and Shi 1995, ACM Trans. Math. Softw. 21: its error is below `width`);
+/// All crossings, ascending. Between two times of opposite sign one is found by bracketed secants
+/// (Anderson and Bjorck 1973, BIT 13: its error is below `width`), or halves where it jumps;
 /// near a minimum of the magnitude the minimum is located, which gives two crossings, a touch, or
 /// none. Excursions between two times that exceed the parabola through three of them are not
 /// detected.

@@ -279,7 +279,13 @@ class Crossovers {
     template <class Concerns, class Reported>
     void in_other(const std::vector<std::string>& settings, bool finer_steps, int more_samples,
                   const Concerns& concerns, const Reported& reported) {
-        const OtherScene other(scene_with_(settings), study_, *field_, finer_steps);
+        const std::optional<Instant> last = last_followed(concerns);
+        if (!last) {  // no crossing whose shift could be found
+            study_.skip_solve();
+            return;
+        }
+        const OtherScene other(scene_with_(settings), study_, *field_, finer_steps,
+                               later(*last, farthest_shift));
         if (!other.not_converged.empty()) {
             answer_.notes.push_back(
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
@@ -290,6 +296,24 @@ class Crossovers {
             follow(seen(other.stages, group, other.field(), more_samples), group, inputs_,
                    answer_.report, reported);
         }
+    }
+
+    /// The last crossing that other scenes shift; none: there is no crossing.
+    template <class Concerns>
+    std::optional<Instant> last_followed(const Concerns& concerns) const {
+        std::optional<Instant> last;
+        for (const CrossoverGroup& group : groups_) {
+            if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
+            for (const std::size_t i : group.of) {
+                for (const CrossoverDay& day : answer_.report[i].band) {
+                    for (const TimedCrossing& one : day.crossing) {
+                        if (one.kind == ZeroCrossing::Kind::touches) continue;
+                        last = last ? std::max(*last, one.when) : one.when;
+                    }
+                }
+            }
+        }
+        return last;
     }
 
     Study& study_;

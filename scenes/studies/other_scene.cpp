@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "materials/base/error.hpp"
@@ -19,10 +21,17 @@ Scene every_step(Scene scene) {
 
 /// The state at the start of the span, where days before it were solved; null: there are none.
 const HeatState* start_of(const SpanCourse& course, const Prepared& prepared) {
+    const HeatState* start = nullptr;
     for (const SpanCourse::Piece& piece : course.piece) {
-        if (!piece.periodic && piece.to == prepared.scene.time.start) return &piece.end;
+        if (piece.to == prepared.scene.time.start) start = &piece.end;
     }
-    return nullptr;
+    return start;
+}
+
+/// The end of the step in which an instant is.
+Instant step_end(const TimeInput& time, Instant when) {
+    const double steps = std::ceil(seconds_between(time.start, when) / time.step - 1e-9);
+    return later(time.start, time.step * std::max(1.0, steps));
 }
 
 }  // namespace
@@ -38,7 +47,8 @@ OtherScene::OtherScene(Scene scene, Study& study, GivenTemperatures given)
     }
 }
 
-OtherScene::OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps)
+OtherScene::OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps,
+                       std::optional<Instant> until)
     : OtherScene(std::move(scene), study, GivenTemperatures{}) {
     if (heat_content(prepared) == study.content()) {
         base_ = &base;
@@ -46,10 +56,12 @@ OtherScene::OtherScene(Scene scene, Study& study, const TemperatureField& base, 
         return;
     }
     study.next_solve();
+    if (until) until = step_end(prepared.scene.time, *until);
     const SpanCourse& course = study.course();
-    SpanResult result =
-        solve_scene(stages, study.progress(), {},
-                    {.like = &course, .start = finer_steps ? start_of(course, prepared) : nullptr});
+    SpanResult result = solve_scene(stages, study.progress(), {},
+                                    {.like = &course,
+                                     .start = finer_steps ? start_of(course, prepared) : nullptr,
+                                     .until = until});
     solved = true;
     not_converged = diurna::not_converged(result.report);
     own_ = std::move(result.temperature);

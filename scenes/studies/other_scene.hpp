@@ -29,7 +29,9 @@ struct OtherScene {
     /// - base: temperatures of the study's own scene; must outlive it
     /// - finer_steps: it differs only in its steps, and starts from the study's state at the start
     ///   of the span, if days before it were solved
-    OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps = false);
+    /// - until: instant up to which temperatures are needed; none: to the end of the span
+    OtherScene(Scene scene, Study& study, const TemperatureField& base, bool finer_steps = false,
+               std::optional<Instant> until = {});
     /// With given temperatures, which are not checked; nothing is solved.
     OtherScene(Scene scene, Study& study, GivenTemperatures given);
     OtherScene(const OtherScene&) = delete;

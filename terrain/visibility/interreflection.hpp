@@ -39,24 +39,36 @@ struct Sender {
     float factor;
 };
 
-/// Σ factor × value over the senders, sixteen lanes at a time.
-inline void gather(std::span<const Sender> senders, std::size_t lanes, float* out) {
-    constexpr std::size_t width = 16;
-    for (std::size_t first = 0; first < lanes; first += width) {
-        const std::size_t n = std::min(width, lanes - first);
-        alignas(64) float sum[width] = {};
-        if (n == width) {
-            for (const Sender& from : senders) {
-                for (std::size_t k = 0; k < width; ++k)
-                    sum[k] += from.factor * from.value[first + k];
-            }
-        } else {
-            for (const Sender& from : senders) {
-                for (std::size_t k = 0; k < n; ++k) sum[k] += from.factor * from.value[first + k];
-            }
-        }
-        std::copy_n(sum, n, out + first);
+/// Σ factor × value over the senders, of `width` lanes from `first` on.
+template <std::size_t width>
+void gather_lanes(std::span<const Sender> senders, std::size_t first, float* out) {
+    alignas(64) float sum[width] = {};
+    for (const Sender& from : senders) {
+        for (std::size_t k = 0; k < width; ++k) sum[k] += from.factor * from.value[first + k];
     }
+    std::copy_n(sum, width, out + first);
+}
+
+/// The same of all lanes, as many at a time as registers hold.
+inline void gather(std::span<const Sender> senders, std::size_t lanes, float* out) {
+    std::size_t first = 0;
+    for (; first + 32 <= lanes; first += 32) gather_lanes<32>(senders, first, out);
+    if (first + 24 <= lanes) {
+        gather_lanes<24>(senders, first, out);
+        first += 24;
+    } else if (first + 16 <= lanes) {
+        gather_lanes<16>(senders, first, out);
+        first += 16;
+    } else if (first + 8 <= lanes) {
+        gather_lanes<8>(senders, first, out);
+        first += 8;
+    }
+    const std::size_t rest = lanes - first;  // fewer than eight
+    float sum[8] = {};
+    for (const Sender& from : rest > 0 ? senders : std::span<const Sender>()) {
+        for (std::size_t k = 0; k < rest; ++k) sum[k] += from.factor * from.value[first + k];
+    }
+    std::copy_n(sum, rest, out + first);
 }
 
 }  // namespace interreflection

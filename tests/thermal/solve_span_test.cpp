@@ -118,6 +118,39 @@ TEST_CASE("part of a day that repeats begins where its file begins", "[thermal][
     CHECK(apart_by_hour(whole, morning.temperature) < 0.05);
 }
 
+// The day before has no trend: it is that which was repeated, and is not stepped through again.
+TEST_CASE("a span after days without a trend costs the repeated day and its own",
+          "[thermal][span]") {
+    World world(8);
+    world.weather = summers(-1.0, 3);
+    CHECK_FALSE(has_trend(world.weather, later(june, -day)));
+    const SpanResult one = walk(world, 0.0, 24.0, SpanStart::weather);
+    CHECK(one.report.converged);
+    CHECK(one.report.steps == 2 * 144);
+    for (Forcing& forcing : world.weather.sample) forcing.air.temperature += 1e-4;
+    CHECK_FALSE(has_trend(world.weather, later(june, -day)));
+    world.weather.sample[24].air.temperature += 1.0;
+    CHECK(has_trend(world.weather, later(june, -day)));
+    const SpanResult other = walk(world, 0.0, 24.0, SpanStart::weather);
+    CHECK(other.report.steps == 3 * 144);
+    CHECK(apart_by_hour(one.temperature, other.temperature) < 1.0);
+}
+
+TEST_CASE("what is requested of a span does not depend on where it is left", "[thermal][span]") {
+    World world(8);
+    world.weather = summers(-1.0, 3);
+    SpanOptions options;
+    options.start = june;
+    options.end = later(june, 24.0 * hour);
+    options.wanted = every_half_hour(0.0, 24.0);
+    const SpanResult whole = solve_span(input_of(world), exposure_of(world), options);
+    options.until = later(june, 9.0 * hour);
+    const SpanResult part = solve_span(input_of(world), exposure_of(world), options);
+    CHECK(part.temperature.instant.size() == 19);
+    // Passes end where they change less than SolveOptions::settled.
+    CHECK(apart_by_hour(whole.temperature, part.temperature) < 0.02);
+}
+
 TEST_CASE("days that repeat go on as they began", "[thermal][span]") {
     World world(8);
     const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;

@@ -8,8 +8,17 @@ namespace diurna {
 
 namespace {
 
+/// By eight sums side by side, so that none waits for the one before.
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+    constexpr std::size_t sums = 8;
+    double part[sums]{};
+    std::size_t k = 0;
+    for (; k + sums <= a.size(); k += sums) {
+        for (std::size_t j = 0; j < sums; ++j) part[j] += a[k + j] * b[k + j];
+    }
+    for (; k < a.size(); ++k) part[0] += a[k] * b[k];
+    return ((part[0] + part[1]) + (part[2] + part[3])) +
+           ((part[4] + part[5]) + (part[6] + part[7]));
 }
 double norm(const std::vector<double>& a) { return std::sqrt(dot(a, a)); }
 

@@ -12,14 +12,21 @@ namespace diurna {
 
 namespace {
 
-constexpr double longest_step = 300.0;          // [s]
+constexpr double longest_step = 300.0;          // [s] where temperatures bend
+constexpr double longest_straight = 600.0;      // [s] elsewhere
+constexpr double any_step = 1e9;                // [s] for a first guess
+constexpr double straight = 0.02;               // [K] rms of what bends from step to step
 constexpr double repeats_within = 3e-3;         // [K] of a period that is found
+constexpr double repeats_in_hours = 0.3;        // [K] of one that is only a first guess
 constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
-constexpr double about_alike = 5.0;             // [W m⁻²] of neighbours' heat
 constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
 constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
 
-/// Instants from step to step of a march that only has to tell neighbours of it: no more than a
+/// What a march may leave of the heat that flows: the last one; one of a day that only leads to the
+/// span, or before the last; one whose neighbours are far from known.
+constexpr double last_closes = 4e-9, others_close = 1e-5, first_closes = 1e-4;
+
+/// Instants from step to step of a march whose neighbours are not known at all: no more than a
 /// quarter of an hour, an equal part of the span.
 std::size_t rough_stride(const SolveState& solve) {
     constexpr double longest = 900.0;  // [s]
@@ -48,9 +55,33 @@ void set_out(const std::vector<double>& all, NetworkStepper& stepper) {
     stepper.begin();
 }
 
+/// How far temperatures at the ends of two equal steps are from a straight line.
+class Bend {
+ public:
+    /// The next temperatures [K].
+    void add(const std::vector<double>& kelvin) {
+        if (last_.size() == kelvin.size()) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < kelvin.size(); ++k) {
+                const double change = kelvin[k] - last_[k];
+                if (!change_.empty()) sum += (change - change_[k]) * (change - change_[k]);
+                last_[k] = change;
+            }
+            rms_ = change_.empty() ? 1e9 : std::sqrt(sum / double(kelvin.size()));
+            change_.swap(last_);
+        }
+        last_ = kelvin;
+    }
+    double rms() const { return rms_; }  // [K]
+
+ private:
+    std::vector<double> last_, change_;
+    double rms_ = 1e9;
+};
+
 }  // namespace
 
-NetworkFacets::NetworkFacets(const SolveState& solve) : solve_(solve) {
+NetworkFacets::NetworkFacets(const SolveState& solve, bool near) : solve_(solve), near_(near) {
     for (const NetworkObject& object : solve.input.network) target_.push_back({.object = &object});
 }
 
@@ -159,31 +190,46 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
     put_down(0, stepper, around, target);
     const double level_step = solve_.step * double(target.stride);
     const double step = solve_.step / solve_.options.refinement;
-    const int parts = target.rough ? 1
-                                   : solve_.options.refinement *
-                                         int(std::max(1.0, std::ceil(step / longest_step - 1e-9)));
+    const auto parts_of = [&](double longest) {
+        return solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest - 1e-9)));
+    };
+    const int own = parts_of(target.longest), fewer = std::min(own, parts_of(longest_straight));
+    Bend bend;
+    bend.add(stepper.state.node);
     for (std::size_t i = 0; i < around.steps(); ++i) {
+        const int parts = bend.rms() < straight ? fewer : own;
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
         if (solve_.options.periodic) period.add(stepper);
+        bend.add(stepper.state.node);
         put_down(i + 1, stepper, around, target);
     }
 }
 
 void NetworkFacets::run(const Level& level, Target& target) const {
-    const double open = target.level == level.stride ? moved(target) : 1e9;
+    const bool first = target.kelvin.empty();
+    constexpr double unknown = 1e9;
+    const double open = target.level == level.stride && !first ? moved(target)
+                        : near_                                ? far_from_alike
+                                                               : unknown;
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
-    const bool once = !target.kelvin.empty() &&
-                      open > (in_hours ? about_alike : usual_loss_of_network * repeats_within);
+    const bool once = !first && (in_hours || open > usual_loss_of_network * repeats_within);
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
-    if (!target.closed) stepper.closed = !in_hours && open > far_from_alike ? 1e-4 : 1e-5;
+    const bool leads_in = solve_.options.leads_in;
+    const bool last = target.closed && (!leads_in || solve_.record);
+    const bool far = !target.closed && open > far_from_alike,
+               nothing_known = far && open >= unknown;
+    const bool roughly = in_hours || far || (leads_in && !target.closed);
+    stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
     target.level = level.stride;
-    target.rough = in_hours || (!target.closed && open >= 1e9);
-    target.stride = target.rough && !in_hours ? rough_stride(solve_) : level.stride;
+    target.longest = in_hours || nothing_known    ? any_step
+                     : far || (leads_in && !last) ? longest_straight
+                                                  : longest_step;
+    target.stride = !in_hours && nothing_known ? rough_stride(solve_) : level.stride;
     NetworkSurroundings around(solve_, level, *target.object, target.stride);
     if (target.start.empty()) {
         guess(target, around, stepper);
@@ -201,7 +247,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         target.residual = farthest_apart(target.end, target.start);
         target.move = farthest_apart(onward, target.start);
         target.start = onward;
-        if (target.move <= repeats_within) break;
+        if (target.move <= (in_hours ? repeats_in_hours : repeats_within)) break;
     }
     target.count = stepper.count;
 }

@@ -11,11 +11,14 @@ namespace diurna {
 
 /// The targets of a scene (SolveInput::network): each is a network that is stepped as a whole, with
 /// the sun, sky and neighbours of its facets; the blocks only provide a first guess of its start.
-/// Steps of SolveOptions::step, five minutes at most, second order; sunlight that jumps within a
-/// step counts by its mean. Without rain and dew.
+/// Steps of SolveOptions::step, second order: five minutes at most, or ten where temperatures
+/// change evenly (second differences below 0.02 K rms), while neighbours still change, and on days
+/// that only lead to the span. Sunlight that jumps within a step counts by its mean. Without rain
+/// and dew.
 class NetworkFacets {
  public:
-    explicit NetworkFacets(const SolveState& solve);
+    /// - near: the solve starts from temperatures of a similar day
+    NetworkFacets(const SolveState& solve, bool near);
 
     /// After a pass of the blocks: runs all networks whose surroundings have changed, and stores
     /// their temperatures in the solve, at the level's instants.
@@ -45,14 +48,14 @@ class NetworkFacets {
     struct Target {
         const NetworkObject* object;
         std::size_t level = 1, stride = 1;           // of the last run, and of its steps
-        bool rough = false;                          // these were longer than necessary
+        double longest = 0.0;                        // [s] parts of these, at most
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};                 // (instant of that, facet, side) input
         std::vector<double> start{}, end{};          // [K] nodes, then lumps
         double residual = 0.0;                       // [K] |P(T) − T|
         double move = 0.0;                           // [K] of the start after it
         NetworkCount count{};
-        bool closed = false;  // to full precision, as required for the last run
+        bool closed = false;  // may have been the last run
     };
     void run(const Level& level, Target& target) const;
     void march(NetworkSurroundings& around, NetworkStepper& stepper, NetworkPeriod& period,
@@ -65,6 +68,7 @@ class NetworkFacets {
     bool rests(const Target& target) const;
 
     const SolveState& solve_;
+    const bool near_;
     std::vector<Target> target_;
 };
 

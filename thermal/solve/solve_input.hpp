@@ -39,6 +39,8 @@ struct SolveOptions {
     bool periodic = true;     // the span repeats; else it starts from SolveInput::from,
                               // or from its mean balance
     bool goes_on = false;     // other spans follow: slower modes are retained
+    bool leads_in = false;    // only its end is needed: targets are solved to 1e-5 of their heat
+                              // flow, as against 4e-9
     int max_passes = 12;      // over the span; twice as many while they converge
     double tolerance = 1e-4;  // [K] |P(T) − T| of every node after a period
     double settled = 0.01;    // [K] final effect of neighbours' changes; 0.05 with water

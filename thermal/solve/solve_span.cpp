@@ -30,6 +30,7 @@ struct Walk {
     HeatState state;
     PackedField day_before{};  // every step of the last piece
     int days = 0, all_days = 1;
+    bool repeats_itself = false;  // the last piece, stepped on from its end, is the same again
 
     const SpanStage& stage_at(Instant when) const {
         const SpanStage* stage = &stages.front();
@@ -42,6 +43,10 @@ struct Walk {
     bool shows_before(Instant when) const {
         const SpanStage& stage = stage_at(when);
         return &stage != &stages.front() && stage.from == when && stage.early;
+    }
+    /// The last instant of the span that is requested.
+    Instant last() const {
+        return options.until ? std::min(options.end, *options.until) : options.end;
     }
     /// The first change after an instant, or `end`.
     Instant next_change(Instant when, Instant end) const {
@@ -170,7 +175,8 @@ SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weathe
 const SpanCourse::Piece* like_piece(const Piece& piece, const SpanStage& stage, const Walk& walk) {
     if (!walk.options.like) return nullptr;
     for (const SpanCourse::Piece& one : walk.options.like->piece) {
-        if (one.from == piece.from && one.to == piece.to && one.periodic == piece.periodic &&
+        const bool covers = piece.periodic ? one.to == piece.to : one.to >= piece.to;
+        if (one.from == piece.from && covers && one.periodic == piece.periodic &&
             one.steps.facets == stage.input.facets.size()) {
             return &one;
         }
@@ -208,6 +214,7 @@ void solve_piece(const Piece& piece, Walk& walk) {
     options.duration = seconds_between(piece.from, piece.to);
     options.periodic = piece.periodic;
     options.goes_on = piece.goes_on || walk.options.goes_on;
+    options.leads_in = !piece.keeping;
     // Without the day before to guess by, the first pass meets neighbours that rest; another makes
     // up for it.
     const SpanStage& stage = walk.stage_at(piece.from);
@@ -244,9 +251,11 @@ void solve_piece(const Piece& piece, Walk& walk) {
         walk.result.repeated = result.report.converged;
         walk.result.repeated_error = result.report.estimated_error;
     }
+    walk.repeats_itself = piece.periodic && result.report.converged &&
+                          result.report.stores_held == 0 && result.report.alternating == 0;
     for (const Instant when : reported) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) {
-        keep(result.temperature, steps.front(), steps.back(), piece.to >= walk.options.end, walk);
+        keep(result.temperature, steps.front(), steps.back(), piece.to >= walk.last(), walk);
     }
     if (walk.options.keep_course) {
         walk.result.course.piece.push_back(
@@ -256,8 +265,10 @@ void solve_piece(const Piece& piece, Walk& walk) {
     walk.day_before = std::move(result.steps);
 }
 
-/// To the state that a day without its trend, again and again, leads to.
-void repeat_day(Instant from, Walk& walk) {
+/// To the state that a day without its trend, again and again, leads to. Returns the instant at
+/// which days go on: at that day's own start, as it has a trend; at its end if it has none, since
+/// it would only be the same again.
+Instant repeat_day(Instant from, Walk& walk) {
     const Weather weather = without_trend(walk.input.weather, from);
     solve_piece({.from = from,
                  .to = later(from, day),
@@ -265,6 +276,11 @@ void repeat_day(Instant from, Walk& walk) {
                  .keeping = false,
                  .weather = &weather},
                 walk);
+    const Instant next = later(from, day);
+    const bool same = walk.repeats_itself && !has_trend(walk.input.weather, from) &&
+                      next <= walk.options.start && walk.next_change(from, next) == next;
+    if (same) --walk.all_days;
+    return same ? next : from;
 }
 
 /// From one instant to another in days.
@@ -284,7 +300,7 @@ void go_round(Instant first, Walk& walk) {
     const bool on = next < end || walk.options.goes_on;
     solve_piece({.from = first, .to = next, .periodic = true, .goes_on = on}, walk);
     if (next <= end) {
-        go_on(next, end, true, walk);
+        go_on(next, walk.last(), true, walk);
     } else if (walk.options.goes_on) {
         // What the day ends with is what it began with, not what is there at the span's end.
         go_on(first, end, false, walk);
@@ -322,9 +338,8 @@ void from_the_weather_before(int days, Walk& walk) {
     const SpanOptions& options = walk.options;
     const Instant first = later(options.start, -day * days);
     walk.all_days += days;
-    repeat_day(first, walk);
-    go_on(first, options.start, false, walk);
-    go_on(options.start, options.end, true, walk);
+    go_on(repeat_day(first, walk), options.start, false, walk);
+    go_on(options.start, walk.last(), true, walk);
     walk.result.start = fmt::format("from {} day{} of earlier weather, the first one repeated",
                                     days, days == 1 ? "" : "s");
 }
@@ -340,9 +355,8 @@ void from_a_repeated_day(Walk& walk) {
         walk.result.start = "the day is repeated";
         return;
     }
-    repeat_day(first, walk);
-    go_on(first < start ? first : start, start, false, walk);
-    go_on(start, end, true, walk);
+    go_on(repeat_day(first, walk), start, false, walk);
+    go_on(start, walk.last(), true, walk);
     walk.result.start =
         fmt::format("the day {} repeated without its trend",
                     first < start ? "around or before the start" : "that begins at the start");
@@ -359,15 +373,15 @@ SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
 SpanResult solve_span(std::span<const SpanStage> stages, const SpanOptions& options) {
     const SolveInput& input = stages.front().input;
     Walk walk{.stages = stages, .input = input, .options = options, .result = {}, .state = {}};
-    const double length = seconds_between(options.start, options.end);
+    const double length = seconds_between(options.start, walk.last());
     walk.all_days = static_cast<int>(std::ceil(length / day - 1e-9));
     const int known = days_known_before(input.weather, options.start);
     if (options.begin == SpanStart::state && options.from) {
         walk.state = *options.from;
-        go_on(options.start, options.end, true, walk);
+        go_on(options.start, walk.last(), true, walk);
         walk.result.start = "saved state";
     } else if (options.begin == SpanStart::steady) {
-        go_on(options.start, options.end, true, walk);
+        go_on(options.start, walk.last(), true, walk);
         walk.result.start = "balance of the first day's mean";
     } else if (options.begin != SpanStart::periodic && known >= 1) {
         from_the_weather_before(std::min(known, options.days_before), walk);

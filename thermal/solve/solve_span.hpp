@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct SpanCourse {
 struct SpanOptions {
     SolveOptions day{};
     Instant start{}, end{};
+    /// Instant behind which nothing is requested, so that days before `end` are not solved to
+    /// their end; none: `end`. What is before it stays the same.
+    std::optional<Instant> until{};
     SpanStart begin = SpanStart::known;
     int days_before = 3;              // at most, of SpanStart::weather
     std::vector<Instant> wanted{};    // ascending, within the span: temperatures are stored

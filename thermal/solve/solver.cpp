@@ -152,7 +152,7 @@ void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::siz
                    Level& fine, NetworkFacets& targets, ExchangeRoom& room, SolveReport& report) {
     const bool neighbours = !solve.excess.empty();
     const int passes = !neighbours ? 2 : solve.options.quick ? 3 : 4, most_passes = 10;
-    constexpr double alike = 1.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
+    constexpr double alike = 5.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
     Level coarse = make_level(solve, kinds, stride, 1, &fine);
     renew_longwave(solve, coarse, room, report);
     double moved = 0.0;
@@ -305,8 +305,8 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     check_numbers(solve);
     report.unsolved = without_solution(solve, single, network);
     report.converged = report.converged && report.unsolved.empty();
-    report.worst_energy_closure =
-        std::max({record.worst_closure, single.worst_closure, network.worst_closure});
+    report.worst_energy_closure = std::max({record.worst_closure, single.worst_closure,
+                                            solve.options.leads_in ? 0.0 : network.worst_closure});
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
@@ -348,8 +348,9 @@ void set_out_lanes(const SolveState& solve, const HeatState& from,
     }
 }
 
-/// Sets out from what another solve has left, in place of the first guess.
-void set_out_from(const HeatState& from, PackedField guess, SolveState& solve) {
+/// Sets out from what another solve has left, in place of the first guess. Returns whether
+/// `guess`, temperatures of a similar day, was taken.
+bool set_out_from(const HeatState& from, PackedField guess, SolveState& solve) {
     const bool same_blocks = from.of_block.empty();
     if (from.kelvin.size() != solve.facets ||
         (same_blocks && from.block.size() != solve.block.size())) {
@@ -373,9 +374,10 @@ void set_out_from(const HeatState& from, PackedField guess, SolveState& solve) {
     }
     if (guess.slots() == solve.kelvin.slots() && guess.facets() == solve.facets) {
         solve.kelvin = std::move(guess);
-        return;
+        return true;
     }
     for (std::size_t f = 0; f < solve.facets; ++f) solve.kelvin.fill(f, from.kelvin[f]);
+    return false;
 }
 
 /// What the span leaves. A periodic one ends where it starts.
@@ -415,8 +417,9 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOv
     state.kelvin = PackedField::of_steps(state.instant.size(), stride, state.facets);
     put_rooms(state);
     settle(state, fine);
+    bool near = false;
     if (input.from) {
-        set_out_from(*input.from, std::move(given.guess), state);
+        near = set_out_from(*input.from, std::move(given.guess), state);
         if (given.from != nullptr) {
             given.from->block = std::vector<std::vector<double>>();
             given.from->of_block = std::vector<std::vector<std::size_t>>();
@@ -430,7 +433,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, HandedOv
                            : PackedField::of_steps(state.instant.size(), stride, state.facets);
     }
     ExchangeRoom room;
-    NetworkFacets targets(state);
+    NetworkFacets targets(state, near);
     if (input.from) targets.set_out_from(input.from->network);
     if (stride > 1) {
         pass_in_hours(state, kinds, stride, fine, targets, room, report);

@@ -22,9 +22,13 @@ double common_window(const Weather& weather, Instant start) {
     return before > 0.0 ? -std::min(before, hour) : 0.0;
 }
 
-}  // namespace
+/// What a day's air and sky gain from its start to its end.
+struct Trend {
+    double warmer = 0.0, moister = 0.0;  // [K], [Pa]
+    double brighter = 0.0;               // [W m⁻²] of longwave; NaN if it is not known
+};
 
-Weather without_trend(Weather weather, Instant start) {
+Trend trend_of(const Weather& weather, Instant start) {
     const double window = common_window(weather, start);
     const Instant end = later(start, seconds_of_day);
     const auto mean = [&](Instant from, double Forcing::*flux, double AirState::*air) {
@@ -39,9 +43,21 @@ Weather without_trend(Weather weather, Instant start) {
     const auto gain = [&](double Forcing::*flux, double AirState::*air) {
         return mean(end, flux, air) - mean(start, flux, air);
     };
-    const double warmer = gain(nullptr, &AirState::temperature);
-    const double moister = gain(nullptr, &AirState::vapour_pressure);
-    const double brighter = gain(&Forcing::longwave_down, nullptr);
+    return {gain(nullptr, &AirState::temperature), gain(nullptr, &AirState::vapour_pressure),
+            gain(&Forcing::longwave_down, nullptr)};
+}
+
+}  // namespace
+
+bool has_trend(const Weather& weather, Instant start) {
+    constexpr double least = 1e-6;  // [K], [Pa], [W m⁻²]
+    const auto [warmer, moister, brighter] = trend_of(weather, start);
+    const double sky = std::isnan(brighter) ? 0.0 : brighter;
+    return std::max({std::abs(warmer), std::abs(moister), std::abs(sky)}) > least;
+}
+
+Weather without_trend(Weather weather, Instant start) {
+    const auto [warmer, moister, brighter] = trend_of(weather, start);
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const double share =
             std::clamp(seconds_between(start, weather.instant[i]) / seconds_of_day, 0.0, 1.0);

@@ -192,6 +192,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
     span.from = earlier ? &*earlier : nullptr;
     span.keep_course = similar.keep_course;
     span.like = similar.like;
+    span.until = similar.until;
     if (similar.start) {
         span.begin = SpanStart::state;
         span.from = similar.start;
@@ -241,6 +242,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
         result.notes.push_back("solved: all facets; tolerance_K is not used: " +
                                decision.every_facet);
     }
+    span.until.reset();
     result.start += ": " + start_reported(first.input(), span, result);
     for (std::string& note : first.reported(result.report)) {
         result.notes.push_back(std::move(note));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct SimilarSolves {
     /// The span starts from this state, of an earlier solve with the same columns; null: as the
     /// scene says.
     const HeatState* start = nullptr;
+    std::optional<Instant> until{};  // SpanOptions::until
 };
 SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDecision& decision = {},
                         const SimilarSolves& similar = {});

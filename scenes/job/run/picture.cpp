@@ -76,9 +76,7 @@ void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
 }
 
 /// [K] Error of the tables and interreflections of a picture: a tenth of `tolerance_K`.
-double table_tolerance(const Scene& scene) {
-    return std::clamp(0.1 * scene.tolerance, 1e-3, 1e-2);
-}
+double table_tolerance(const Scene& scene) { return std::clamp(0.1 * scene.tolerance, 1e-3, 1e-2); }
 
 }  // namespace
 

@@ -209,8 +209,10 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                          i > 0 && scene.movement.early[i]});
     }
     const StageHeat& first = *heat.front();
-    // Balances are reported to be closed, and what targets lose is followed step by step.
-    if (decision.every_facet.empty() && !span.heat && first.input().network.empty()) {
+    // Balances are reported to be closed; what targets lose, and what moving objects leave behind,
+    // is followed step by step.
+    if (decision.every_facet.empty() && !span.heat && first.input().network.empty() &&
+        scene.movement.none()) {
         span.day = quick(span.day, decision.tolerance);
     }
     std::optional<NeededFacets> needed;

@@ -155,14 +155,24 @@ std::pair<double, double> interval(const std::vector<Sum>& of_point, std::uint64
 /// What a facet's error of rays r explains of the error e at places on it, by regression: a picture
 /// averages around corners, so only a share of r is left there.
 struct Explained {
-    double cross = 0.0, own = 0.0;  // sums of e r and r² [K²], weighted by pixels
+    std::vector<double> cross;  // (point) sums over instants of e r [K²], weighted by pixels
+    double own = 0.0;           // sum of r² [K²], likewise
 
-    void add(double e, double r, double weight) {
-        cross += weight * e * r;
+    explicit Explained(std::size_t points) : cross(points, 0.0) {}
+    void add(std::size_t point, double e, double r, double weight) {
+        cross[point] += weight * e * r;
         own += weight * r * r;
     }
-    /// [K²] Sum over the places; 0 where both do not go together.
-    double squares() const { return cross > 0.0 ? cross * cross / own : 0.0; }
+    /// [K²] Sum over the places; 0 where e and r do not go together by twice the standard error of
+    /// their covariance (places are independent, a place's instants are not).
+    double squares() const {
+        double sum = 0.0, squares = 0.0;
+        for (const double of_point : cross) {
+            sum += of_point;
+            squares += of_point * of_point;
+        }
+        return sum > 2.0 * std::sqrt(squares) ? sum * sum / own : 0.0;
+    }
 };
 
 /// The value that a hundredth of the pixels exceeds; (value, pixels).
@@ -193,7 +203,7 @@ CheckError check_error(const Stages& stages, const CheckPoints& points,
     std::map<std::string, Sum> materials;
     std::vector<Sum> of_point(count);
     Sum sum;
-    Explained of_ground, of_objects, of_sun;
+    Explained of_ground(count), of_objects(count), of_sun(count);
     for (std::size_t a = 0; a < weights.instant.size(); ++a) {
         const std::size_t i = weights.instant[a];
         const std::span<const float> kelvin = field.at(i);
@@ -212,8 +222,8 @@ CheckError check_error(const Stages& stages, const CheckPoints& points,
             const double sun = std::clamp(apparent * double{shown.by_sun[k]}, -std::abs(all_rays),
                                           std::abs(all_rays));
             Explained& sky = prepared.world.on_ground(point.surface) ? of_ground : of_objects;
-            sky.add(e, all_rays - sun, pixels);
-            of_sun.add(e, sun, pixels);
+            sky.add(k, e, all_rays - sun, pixels);
+            of_sun.add(k, e, sun, pixels);
             off.emplace_back(std::abs(e), pixels);
             const std::string& material = prepared.scene.materials[surfaces.material[f]].kind();
             for (Sum* to : {&sum, &of_point[k], &observers[point.observer], &materials[material]}) {
@@ -262,7 +272,7 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
                   "; {} on panes, nets, sheets, targets, copies or moving objects {} not checked",
                   number_of(points.skipped, "place"), points.skipped == 1 ? "is" : "are");
     if (points.point.empty()) {
-        return fmt::format("{} no picture shows ground or a plain object{}", check_begins,
+        return fmt::format("{} no picture beyond 3 µm shows ground or a plain object{}", check_begins,
                            unchecked);
     }
     std::vector<std::string> observers, materials;

@@ -103,15 +103,14 @@ void add_patch(const FacetSet& surfaces, const CheckPoint& point, float scale, F
     patches.object.push_back(surfaces.object[f]);
 }
 
-/// Observers with pictures of heat; all with pictures where none shows it.
+/// Observers with pictures of heat.
 std::vector<std::uint32_t> looking_at_heat(const Prepared& prepared) {
-    std::vector<std::uint32_t> heat, all;
+    std::vector<std::uint32_t> looking;
     for (std::uint32_t o = 0; o < prepared.sequences.size(); ++o) {
         if (prepared.sequences[o].frame.empty()) continue;
-        all.push_back(o);
-        if (!heat_bands(prepared.scene, prepared.scene.observers[o]).empty()) heat.push_back(o);
+        if (!heat_bands(prepared.scene, prepared.scene.observers[o]).empty()) looking.push_back(o);
     }
-    return heat.empty() ? all : heat;
+    return looking;
 }
 
 FacetViews seen_from(const FacetSet& patches, const Prepared& prepared, bool sunlight) {

@@ -36,9 +36,9 @@ struct CheckPoints {
     static constexpr int sun_samples = 64;  // to the sun's disc
 };
 
-/// Draws points evenly over the pictures of every observer with a band beyond 3 µm (of all, where
-/// none has), the same number in each: over its frames, and over the part of its picture with
-/// facets. The same for the same seed.
+/// Draws points evenly over the pictures of every observer with a band beyond 3 µm, the same number
+/// in each: over its frames, and over the part of its picture with facets. None where no observer
+/// has such a band. The same for the same seed.
 ///
 /// - network: targets, whose facets exchange heat by conduction, so points on them are skipped
 /// - count: for all pictures, at most

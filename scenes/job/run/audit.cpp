@@ -69,7 +69,8 @@ std::vector<std::string> audit_lines(const Audit& audit) {
                   "not checked: {} on panes, nets, sheets, targets, copies or moving objects",
                   number_of(audit.unchecked, "drawn place"));
     if (audit.places == 0) {
-        return {"no picture beyond 3 µm shows ground or a plain object: nothing was checked", not_checked};
+        return {"no picture beyond 3 µm shows ground or a plain object: nothing was checked",
+                not_checked};
     }
     std::vector<std::string> lines{
         fmt::format("{} in {} solved separately, each with sun, sky and surroundings of its own",

@@ -272,8 +272,8 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
                   "; {} on panes, nets, sheets, targets, copies or moving objects {} not checked",
                   number_of(points.skipped, "place"), points.skipped == 1 ? "is" : "are");
     if (points.point.empty()) {
-        return fmt::format("{} no picture beyond 3 µm shows ground or a plain object{}", check_begins,
-                           unchecked);
+        return fmt::format("{} no picture beyond 3 µm shows ground or a plain object{}",
+                           check_begins, unchecked);
     }
     std::vector<std::string> observers, materials;
     for (const CheckError::Of& of : error.observer) {

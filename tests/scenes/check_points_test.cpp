@@ -39,6 +39,21 @@ largest_edge_m = {}
         "frame_every_s = 21600.0", "frame_every_s = 10800.0");
 }
 
+/// An observer of 20 x 10 pixels above the hall.
+std::string near_eye(const std::string& name, const std::string& band) {
+    return fmt::format(R"([[observer]]
+name = "{}"
+place_m = [203.0, 91.6]
+height_above_ground_m = 260.0
+look_at_m = [53.0, -88.4]
+horizontal_fov_deg = 24.0
+width = 20
+height = 10
+bands = ["{}"]
+)",
+                       name, band);
+}
+
 struct Solved {
     Prepared prepared;
     SpanResult result;
@@ -142,26 +157,8 @@ profile = "vacuum"
 [material.grey]
 reflectance = "grey.csv"
 like = "grass"
-[[observer]]
-name = "close"
-place_m = [203.0, 91.6]
-height_above_ground_m = 260.0
-look_at_m = [53.0, -88.4]
-horizontal_fov_deg = 24.0
-width = 20
-height = 10
-bands = ["8-12"]
-frames = ["2026-07-15T12:00:00-04:00"]
-[[observer]]
-name = "eye"
-place_m = [203.0, 91.6]
-height_above_ground_m = 260.0
-look_at_m = [53.0, -88.4]
-horizontal_fov_deg = 24.0
-width = 20
-height = 10
-bands = ["visible"]
-)";
+)" + near_eye("close", "8-12") +
+                       "frames = [\"2026-07-15T12:00:00-04:00\"]\n" + near_eye("eye", "visible");
     text = with(text, "material = \"grass\"", "material = \"grey\"");
     write_text(folder.path / "grey.csv", "wavelength_um,reflectance\n0.3,0.2\n20,0.2\n");
     write_text(folder.path / "scene.toml", text);

@@ -19,7 +19,7 @@ struct CheckPoint {
     std::uint32_t observer;  // of the scene's, in whose picture it is
     Eigen::Vector3f place;   // [m]
     Eigen::Vector3f eye;     // [m] of the observer
-    float pixels = 0.0f;     // of one of its pictures that the point stands for
+    float pixels = 0.0f;     // of one of its pictures, for each point drawn in it
 };
 
 struct CheckPoints {

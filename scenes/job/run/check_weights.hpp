@@ -18,7 +18,7 @@ struct CheckWeights {
     /// transmittance, rms over the observer's bands beyond 3 µm, at its middle picture.
     std::vector<float> apparent;
 
-    /// Pixels of pictures that a point stands for, at an instant of these.
+    /// Weight of a point at an instant of these: pixels of all pictures for each point.
     double pixels(std::size_t a, const CheckPoint& point) const {
         return double{pictures[a * observers + point.observer]} * double{point.pixels};
     }

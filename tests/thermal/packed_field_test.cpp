@@ -160,3 +160,14 @@ TEST_CASE("a field that is linear between hours is exact at them", "[thermal][pa
         REQUIRE(reader.at(i)[1] == 0.0f);
     }
 }
+
+TEST_CASE("facets that exchange need buffers of at most 64 MB, or one run of instants",
+          "[thermal][packed]") {
+    CHECK(runs_at_once(1000, 4) == 4);
+    for (const std::size_t count : {100'000, 350'000, 1'000'000, 10'000'000}) {
+        const std::size_t runs = runs_at_once(count, 4);
+        const std::size_t bytes = runs * PackedField::run * sizeof(float) * count;
+        CHECK((runs == 1 || bytes <= 64u << 20));
+        CHECK((runs == 4 || bytes + PackedField::run * sizeof(float) * count > 64u << 20));
+    }
+}

@@ -10,8 +10,9 @@ namespace diurna {
 
 namespace {
 
-// Three cache lines of every facet, for each of which the rows of view factors are read once.
-constexpr std::size_t instants_at_once = 3 * PackedField::run;
+// Three cache lines of every facet, for each of which the rows of view factors are read once; fewer
+// of many facets.
+constexpr std::size_t most_runs = 3, most_instants = most_runs * PackedField::run;
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -19,7 +20,10 @@ class SunlightAtOnce {
  public:
     SunlightAtOnce(const ExchangingFacets& scene, const SunlitInstants& sun,
                    std::span<const std::size_t> instants)
-        : scene_(scene), sun_(sun), instants_(instants) {
+        : scene_(scene),
+          sun_(sun),
+          instants_(instants),
+          wide_(PackedField::whole_runs(instants.size())) {
         incident_.resize(scene.facets.size() * instants.size());
         spread_albedo();
         light_.resize(sun.sky.tiers);
@@ -39,10 +43,10 @@ class SunlightAtOnce {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
             const Eigen::Vector3f normal = scene_.facets.normal[f];
-            alignas(32) float seen[instants_at_once], light[instants_at_once];
+            alignas(32) float seen[most_instants], light[most_instants];
             // The fraction counts the facet's own turning away already.
             shares_of(f, seen);
-            for (std::size_t k = 0; k < instants_at_once; ++k) {
+            for (std::size_t k = 0; k < wide_; ++k) {
                 seen[k] *= std::max(0.0f, normal.x() * to_sun_[0][k] + normal.y() * to_sun_[1][k] +
                                               normal.z() * to_sun_[2][k]);
             }
@@ -51,14 +55,14 @@ class SunlightAtOnce {
                                .horizon = horizon_view(shares),
                                .shares = shares};
             const std::size_t low = light_.size() == 1 ? 0 : sun_.sky.low[f];
-            light_[low].fall(seen, open, light);
+            light_[low].fall(seen, open, wide_, light);
             add_below(f, light_[low], light);
             if (light_.size() > 1) {
-                alignas(32) float above[instants_at_once];
-                light_[low + 1].fall(seen, open, above);
+                alignas(32) float above[most_instants];
+                light_[low + 1].fall(seen, open, wide_, above);
                 add_below(f, light_[low + 1], above);
                 const float share = sun_.sky.share[f];
-                for (std::size_t k = 0; k < instants_at_once; ++k) {
+                for (std::size_t k = 0; k < wide_; ++k) {
                     light[k] += share * (above[k] - light[k]);
                 }
             }
@@ -69,9 +73,7 @@ class SunlightAtOnce {
     /// What facets reflect of each other, to the bound.
     void bounce(double bound) {
         const std::size_t n = instants_.size(), counted = scene_.facets.size() - scene_.beside;
-        // Whole vectors, zero beyond the instants.
-        const std::size_t wide = (n + PackedField::run - 1) / PackedField::run * PackedField::run;
-        std::vector<float> scale(n), unsent(scene_.facets.size() * wide),
+        std::vector<float> scale(n), unsent(scene_.facets.size() * wide_),
             counts(scene_.facets.size());
         for (std::size_t k = 0; k < n; ++k) {
             scale[k] = float(1.0 / (bound * double(light_.front().global[k])));
@@ -86,11 +88,11 @@ class SunlightAtOnce {
             return most;
         };
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
-            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * wide]) : 0.0f;
+            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * wide_]) : 0.0f;
         });
         const ViewFactors& seen = scene_.views.others;
         interreflect(SeenRows{.row = seen.row, .source = seen.facet, .factor = seen.factor},
-                     {.value = unsent.data(), .stride = wide, .lanes = wide, .counts = counts},
+                     {.value = unsent.data(), .stride = wide_, .lanes = wide_, .counts = counts},
                      [&](std::size_t f, const float* arrived, float* out) {
                          for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
                          return f < counted ? reflect(f, arrived, out) : 0.0f;
@@ -104,11 +106,11 @@ class SunlightAtOnce {
     /// The light of a tier's sky at these instants, as SkyLight; zero beyond them. In arrays, so
     /// that a facet's light at all of them is computed in vectors.
     struct TierLight {
-        alignas(32) float beam[instants_at_once] = {}, even[instants_at_once] = {},
-                          horizon[instants_at_once] = {};
-        alignas(32) float uneven[sky_functions][instants_at_once] = {};
-        alignas(32) float global[instants_at_once] = {};  // [W m⁻²] on the horizontal
-        std::array<bool, sky_functions> any{};            // not zero at all instants
+        alignas(32) float beam[most_instants] = {}, even[most_instants] = {},
+                          horizon[most_instants] = {};
+        alignas(32) float uneven[sky_functions][most_instants] = {};
+        alignas(32) float global[most_instants] = {};  // [W m⁻²] on the horizontal
+        std::array<bool, sky_functions> any{};         // not zero at all instants
 
         void put(std::size_t k, const SkyState& sky) {
             const SkyLight of = sky_light(sky);
@@ -121,19 +123,19 @@ class SunlightAtOnce {
                 any[j] = any[j] || of.uneven[j] != 0.0f;
             }
         }
-        /// facet_sunlight() at all of the instants.
-        void fall(const float* seen, const OpenSky& open, float* light) const {
+        /// facet_sunlight() at so many of the instants, whole runs of them.
+        void fall(const float* seen, const OpenSky& open, std::size_t wide, float* light) const {
             const float view = float(open.view), ring = float(open.horizon);
-            alignas(32) float sky[instants_at_once];
-            for (std::size_t k = 0; k < instants_at_once; ++k) {
+            alignas(32) float sky[most_instants];
+            for (std::size_t k = 0; k < wide; ++k) {
                 sky[k] = even[k] * view + horizon[k] * ring;
             }
             for (std::size_t j = 0; j < sky_functions; ++j) {
                 if (!any[j]) continue;
                 const float share = open.shares[j];
-                for (std::size_t k = 0; k < instants_at_once; ++k) sky[k] += uneven[j][k] * share;
+                for (std::size_t k = 0; k < wide; ++k) sky[k] += uneven[j][k] * share;
             }
-            for (std::size_t k = 0; k < instants_at_once; ++k) {
+            for (std::size_t k = 0; k < wide; ++k) {
                 light[k] = beam[k] * seen[k] + std::max(0.0f, sky[k]);
             }
         }
@@ -150,7 +152,7 @@ class SunlightAtOnce {
     /// A facet's share in the sun at these instants; zero beyond them.
     void shares_of(std::size_t f, float* share) const {
         const std::size_t n = instants_.size();
-        std::fill(share + n, share + instants_at_once, 0.0f);
+        std::fill(share + n, share + wide_, 0.0f);
         if (sun_.shares != nullptr && !sun_.shares->empty()) {
             const int first = sun_.shares->slot(sun_.first + instants_.front());
             const int last = sun_.shares->slot(sun_.first + instants_.back());
@@ -195,8 +197,9 @@ class SunlightAtOnce {
     const ExchangingFacets& scene_;
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
-    std::vector<TierLight> light_{};                      // (tier)
-    alignas(32) float to_sun_[3][instants_at_once] = {};  // (axis, instant)
+    std::size_t wide_;  // instants rounded up to whole runs: whole vectors, zero beyond
+    std::vector<TierLight> light_{};                   // (tier)
+    alignas(32) float to_sun_[3][most_instants] = {};  // (axis, instant)
     std::vector<float> incident_;
     std::vector<float> changed_;  // (facet, instant) albedo; empty: FacetOptics'
 };
@@ -255,8 +258,9 @@ void incident_sunlight(
         scene.bound * (1.0 - double(greatest_sent_on(
                                  scene.views, std::span(albedo).first(facets - scene.beside))));
     const std::vector<std::size_t> lit = sunlit(sun.sky);
-    for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
-        const std::size_t count = std::min(instants_at_once, lit.size() - first);
+    const std::size_t at_once = PackedField::run * runs_at_once(facets, most_runs);
+    for (std::size_t first = 0; first < lit.size(); first += at_once) {
+        const std::size_t count = std::min(at_once, lit.size() - first);
         const std::span<const std::size_t> instants = std::span(lit).subspan(first, count);
         SunlightAtOnce light(scene, sun, instants);
         light.add_sunlight();

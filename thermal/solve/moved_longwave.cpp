@@ -46,24 +46,26 @@ constexpr std::size_t facets_at_once = 256;
 /// Runs of instants that the exchange computes together, so that rows of view factors are read once
 /// for them.
 class RunsTogether {
+    static constexpr std::size_t most_runs = 4;
+
  public:
-    static constexpr std::size_t together = 4, most = together * PackedField::run;  // instants
+    static constexpr std::size_t most = most_runs * PackedField::run;  // instants
 
     /// The first ones.
     explicit RunsTogether(const PackedField& field) : field_(field) {}
     bool any() const { return first_ < field_.runs(); }
-    void next() { first_ += together; }
+    void next() { first_ += together_; }
     /// Their first slot, and the number of their slots.
     std::size_t slot() const { return first_ * PackedField::run; }
-    std::size_t width() const { return std::min(most, field_.slots() - slot()); }
-    /// The same rounded up to whole runs: values beyond are zero, so that loops have whole vectors.
-    std::size_t wide() const {
-        return (width() + PackedField::run - 1) / PackedField::run * PackedField::run;
+    std::size_t width() const {
+        return std::min(together_ * PackedField::run, field_.slots() - slot());
     }
+    /// The same rounded up to whole runs: values beyond are zero, so that loops have whole vectors.
+    std::size_t wide() const { return PackedField::whole_runs(width()); }
     /// Calls body(run, its first slot among these, its slots).
     template <class Body>
     [[gnu::always_inline]] void each(const Body& body) const {
-        const std::size_t last = std::min(field_.runs(), first_ + together);
+        const std::size_t last = std::min(field_.runs(), first_ + together_);
         for (std::size_t run = first_; run < last; ++run) {
             body(run, (run - first_) * PackedField::run, field_.width(run));
         }
@@ -75,7 +77,7 @@ class RunsTogether {
 
  private:
     const PackedField& field_;
-    std::size_t first_ = 0;
+    std::size_t together_ = runs_at_once(field_.facets(), most_runs), first_ = 0;
 };
 
 /// The sky's longwave at the facets' heights beyond that at the weather's, at one instant.

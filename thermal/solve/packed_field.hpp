@@ -19,6 +19,10 @@ namespace diurna {
 class PackedField {
  public:
     static constexpr std::size_t run = 16;  // instants of a run
+    /// So many instants rounded up to whole runs.
+    static constexpr std::size_t whole_runs(std::size_t instants) {
+        return (instants + run - 1) / run * run;
+    }
 
     PackedField() = default;
     /// All zero.
@@ -37,7 +41,7 @@ class PackedField {
     std::size_t instants() const { return slot_.size(); }
     std::size_t facets() const { return facets_; }
     std::size_t slots() const { return slots_; }
-    std::size_t runs() const { return (slots_ + run - 1) / run; }
+    std::size_t runs() const { return whole_runs(slots_) / run; }
     /// Stored values of a run.
     std::size_t width(std::size_t r) const { return std::min(run, slots_ - r * run); }
 
@@ -116,6 +120,13 @@ class PackedField {
         return std::bit_cast<float>(std::uint32_t{biased} << 23);
     }
 };
+
+/// Runs of instants that are computed together where the facets exchange: at most so many, fewer
+/// where a buffer of their values would be larger than 64 MB (350 000 facets: 3 runs).
+inline std::size_t runs_at_once(std::size_t facets, std::size_t most) {
+    constexpr std::size_t most_values = 16'777'216;
+    return std::clamp<std::size_t>(most_values / (PackedField::run * (facets + 1)), 1, most);
+}
 
 inline PackedField::Row PackedField::row(std::size_t instant) const {
     Row row;

@@ -9,7 +9,8 @@ import math, os, re, shutil, subprocess, sys, tempfile
 
 HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "job", "plan", "plan_costs.hpp")
 # What a run prints of its stages, by the plan's names.
-STAGES = {"terrain": "terrain", "sky view": "sky view", "shadows": "heat", "heat balance": "heat", "write temperatures": "write",
+STAGES = {"terrain": "terrain", "sky view": "sky view", "shadows": "heat", "heat balance": "heat", "surface check": "heat",
+          "write temperatures": "write",
           "views": "views", "frames": "frames", "labels": "report", "report": "report"}
 
 
@@ -51,6 +52,9 @@ PROBES = [
     ("start", "terrain", observer(), SUMMER, 1800, "grass"),
     ("sky_per_facet", "sky view", "tolerance" + observer(), ROUGH, 3600, "dry_grass"),
     ("sky_per_ray", "sky view", TRUCK + observer(), SUMMER, 1800, "grass"),
+    ("ground_ray", "sky view", "[scene]\nsky_rays = 1024\n" + HOUSE + YARD + observer(), SUMMER, 1800, "grass"),
+    ("wall_ray", "sky view", "[scene]\nobject_sky_rays = 4096\n" + HOUSE + observer(), SUMMER, 1800, "grass"),
+    ("patch_ray", "heat", "[scene]\ncheck_points = 4096\n" + YARD + observer(), SUMMER, 1800, "grass"),
     ("heat_per_step", "heat", YARD + observer(), SUMMER, 300, "grass"),
     ("heat_per_coupled_step", "heat", HOUSE + observer(), SUMMER, 600, "grass"),
     ("network_day", "heat", TRUCK + observer(), SUMMER, 1800, "grass"),
@@ -76,14 +80,14 @@ def planned(program, folder):
     """{stage: s} and bytes."""
     text = subprocess.run([program, "plan", "scene.toml", "--threads", "1"], cwd=folder, check=True, capture_output=True, text=True).stdout
     stages = {}
-    for name, seconds in re.findall(r"^  ([a-z][a-z ]*?) +([\d.]+) s$", text, re.M):
+    for name, seconds in re.findall(r"^  ([a-z][a-z ]*?) +([\d.]+) s\b", text, re.M):
         stages[kind(name)] = stages.get(kind(name), 0) + float(seconds)
     return stages, float(re.search(r"^memory\s+([\d.]+) MB", text, re.M).group(1))
 
 
 def taken(program, folder):
     """The same of a run: the processor's clock is read as each stage ends."""
-    run = subprocess.Popen([program, "run", "scene.toml", "--out", "out", "--threads", "1"], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+    run = subprocess.Popen([program, "run", "scene.toml", "--out", "out", "--threads", "1", "--set", "rounds=0"], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                            env={**os.environ, "DIURNA_STAGES": "off"})
     tick, stages, before = os.sysconf("SC_CLK_TCK"), {}, 0.0
     for line in run.stderr:

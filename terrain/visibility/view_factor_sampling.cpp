@@ -12,6 +12,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "terrain/visibility/block_rays.hpp"
+#include "terrain/visibility/ground_rays.hpp"
 #include "terrain/visibility/hemisphere_rays.hpp"
 #include "terrain/visibility/lifted_facet.hpp"
 #include "terrain/visibility/sky_basis.hpp"
@@ -138,20 +139,11 @@ std::vector<HemisphereRays> finer_rays(const FacetViewOptions& options) {
     std::vector<HemisphereRays> finer;
     finer.emplace_back(options.rays, options.seed);
     if (options.near_objects.empty()) return finer;
-    for (int times = 2; times <= 64 && options.rays * times <= 4096; times *= 2) {
-        finer.emplace_back(options.rays * times, options.seed);
+    const std::size_t levels = ray_levels(options.rays);
+    for (std::size_t level = 1; level < levels; ++level) {
+        finer.emplace_back(options.rays << level, options.seed);
     }
     return finer;
-}
-
-/// Which of them suits ground from which so much of the sky is hidden: in streets and courtyards,
-/// where all ground is near objects, no more than four times as many rays. Most on ground divided
-/// finely around objects, where a camera that is close sees each facet.
-std::size_t finer_level(double hidden, float area, std::size_t levels) {
-    constexpr float finely = 2.0f;  // [m²]
-    std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : hidden < 0.5 ? 2 : 1;
-    if (area < finely && hidden < 0.02) wanted = 6;
-    return std::min(wanted, levels - 1);
 }
 
 /// Rows of `from`, which may be the scene's facets.

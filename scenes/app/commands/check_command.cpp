@@ -61,7 +61,9 @@ void add_check_verb(CLI::App& app) {
 void add_plan_verb(CLI::App& app) {
     CLI::App* verb =
         app.add_subcommand("plan", "list the computations of a run, with time and memory");
-    verb->callback([a = scene_arguments(*verb)] {
+    const auto a = scene_arguments(*verb);
+    add_checks(*verb, a);
+    verb->callback([a] {
         const Prepared prepared = prepare(a->read());
         if (!prepared.scene.sweep.axes.empty()) {
             fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings, a->allow_outside),

@@ -13,7 +13,6 @@
 #include "materials/base/error.hpp"
 #include "materials/base/number_of.hpp"
 #include "materials/base/plain_text.hpp"
-#include "scenes/app/commands/number_option.hpp"
 #include "scenes/app/commands/printed_lines.hpp"
 #include "scenes/app/commands/scene_arguments.hpp"
 #include "scenes/app/sweep/run_sweep.hpp"
@@ -171,13 +170,7 @@ void add_run_verb(CLI::App& app) {
     verb->add_option("--out", run->job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", run->job.resume,
                    "reuse the results of an earlier run with the same inputs");
-    whole_within(
-        verb->add_option_function<int>(
-            "--checks",
-            [a](int count) { a->settings.push_back(fmt::format("scene.check_points={}", count)); },
-            "places in pictures to solve separately, to measure the error of the "
-            "temperatures there (default: scene.check_points)"),
-        0, 4096);
+    add_checks(*verb, a);
     verb->add_option("--shard", run->shard,
                      "I/N: compute part I of N of the pictures (or of a sweep's variants); 0/N: "
                      "temperatures only");

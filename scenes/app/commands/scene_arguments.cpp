@@ -72,6 +72,17 @@ std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb) {
     return a;
 }
 
+void add_checks(CLI::App& verb, const std::shared_ptr<SceneArguments>& arguments) {
+    whole_within(verb.add_option_function<int>(
+                     "--checks",
+                     [arguments](int count) {
+                         arguments->settings.push_back(fmt::format("scene.check_points={}", count));
+                     },
+                     "places in pictures to solve separately, to measure the error of the "
+                     "temperatures there (default: scene.check_points)"),
+                 0, 4096);
+}
+
 void add_common_options(CLI::App& verb, SceneArguments& arguments) {
     whole_within(verb.add_option("--threads", arguments.threads,
                                  "number of worker threads; 0: one per core"),

@@ -48,6 +48,9 @@ void tell_of_sweep(const Scene& scene);
 void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
                 const std::string& more = "");
 
+/// The option --checks of a verb: a setting of scene.check_points.
+void add_checks(CLI::App& verb, const std::shared_ptr<SceneArguments>& arguments);
+
 /// The options --threads, --progress and --allow-outside, read into `arguments`, which must outlive
 /// the verb.
 void add_common_options(CLI::App& verb, SceneArguments& arguments);

@@ -89,9 +89,11 @@ PictureLight light_of_pictures(const Scene& scene, const World& world, const Wea
 Decisions decisions_of(const Scene& scene, const World& world, const Weather& weather,
                        std::span<const Sequence> sequences) {
     const std::string every_facet = why_every_facet(scene, world, sequences);
+    // As can_check() (scenes/job/run/heat.hpp).
+    const bool can_check = !scene.output.state && scene.time.spin_up != SpanStart::state;
     Decisions decisions{.heat = {.every_facet = every_facet,
                                  .tolerance = every_facet.empty() ? scene.tolerance : 0.0,
-                                 .check_points = scene.check_points}};
+                                 .check_points = can_check ? scene.check_points : 0}};
     sort_by_water(scene, world, decisions);
     decisions.light = light_of_pictures(scene, world, weather);
     decisions.views_cast_once = static_cast<std::size_t>(std::count_if(
@@ -99,10 +101,7 @@ Decisions decisions_of(const Scene& scene, const World& world, const Weather& we
     decisions.terms = std::any_of(scene.observers.begin(), scene.observers.end(),
                                   [](const ObserverInput& observer) { return observer.terms; });
     decisions.uncertain = scene.uncertain.size();
-    // As can_check() (scenes/job/run/heat.hpp).
-    const bool checked =
-        scene.check_points > 0 && !scene.output.state && scene.time.spin_up != SpanStart::state;
-    decisions.rounds = checked && scene.tolerance > 0.0 ? scene.rounds : 0;
+    decisions.rounds = decisions.heat.check_points > 0 && scene.tolerance > 0.0 ? scene.rounds : 0;
     return decisions;
 }
 

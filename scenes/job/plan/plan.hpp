@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "scenes/job/input/scene.hpp"
@@ -18,6 +19,7 @@ namespace diurna {
 struct PlannedStage {
     StageId stage;
     double seconds = 0.0;
+    std::string of{};  // what it is spent on, where this is not plain from its name; else ""
 };
 
 /// The plan of a scene, made before anything is computed, like a database's query plan.
@@ -26,6 +28,7 @@ struct Plan {
     std::vector<Instant> steps;         // step_instants() of the heat balance, ends included
     std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: with shadows
     std::vector<Instant> frames;        // of all observers
+    std::size_t stages_of_motion = 1;   // in which objects are at rest
     std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;
     std::size_t pixels = 0;        // of all observers' views
     std::size_t views = 0;         // of an observer at an instant, and
@@ -33,6 +36,7 @@ struct Plan {
     std::size_t pictures = 0;      // of a view in a band
     double memory = 0.0;           // [bytes] maximum
     double seconds = 0.0;          // sum of the stages: within 1.5 times on idle cores
+    double finer_seconds = 0.0;    // a round with edges divided by 2, before its pictures
     std::vector<PlannedStage> stages;
     std::size_t observers = 0;
     std::vector<InstrumentCost> instruments;
@@ -41,7 +45,9 @@ struct Plan {
 
 /// Depends only on the scene, its facets and the positions of its observers (without these,
 /// mirrored pixels are not counted). Costs of each item: scenes/job/plan/plan_costs.hpp.
+///
+/// - stages_of_motion: Movement::stage (scenes/job/world/movers.hpp)
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
-               std::span<const Sequence> sequences = {});
+               std::span<const Sequence> sequences = {}, std::size_t stages_of_motion = 1);
 
 }  // namespace diurna

@@ -166,7 +166,8 @@ std::string describe(const Plan& plan) {
         static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds,
         number_of(thread_count(), "thread"));
     for (const PlannedStage& stage : plan.stages) {
-        text += fmt::format("  {:<18} {:>6.1f} s\n", name_of(stage.stage), stage.seconds);
+        text += fmt::format("  {:<18} {:>6.1f} s{}{}\n", name_of(stage.stage), stage.seconds,
+                            stage.of.empty() ? "" : "   ", stage.of);
     }
     for (const PlanRow& row : plan_rows(plan)) {
         text +=

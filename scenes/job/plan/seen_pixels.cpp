@@ -37,29 +37,53 @@ Spot spot_of(const Observer& observer, const Eigen::Vector3d& to) {
     return {angle <= 0.5 * across, across * across / columns};
 }
 
+/// A camera at one pose.
+class PosedCamera {
+ public:
+    explicit PosedCamera(const Observer& observer)
+        : observer_(observer), axes_(attitude_of(observer).toRotationMatrix().transpose()) {}
+
+    /// Pixels that a facet fills.
+    double pixels_of(const FacetSet& facets, std::size_t f) const {
+        const Eigen::Vector3d line = facets.centroid[f].cast<double>() - observer_.position;
+        const bool parallel = observer_.projection == Projection::orthographic;
+        const Eigen::Vector3d along =
+            parallel ? Eigen::Vector3d(axes_.row(1).transpose()) : line.normalized();
+        const double facing = -along.dot(facets.normal[f].cast<double>());
+        if (!(facing > 0.0)) return 0.0;
+        const Spot spot = spot_of(observer_, axes_ * line);
+        if (!spot.inside) return 0.0;
+        const double apparent = facets.area[f] * facing;
+        return (parallel ? apparent : apparent / line.squaredNorm()) / spot.pixel;
+    }
+
+ private:
+    const Observer& observer_;
+    Eigen::Matrix3d axes_;  // to right, forward, up
+};
+
 }  // namespace
 
 double seen_pixels(const Observer& observer, const FacetSet& facets,
                    const std::function<bool(MaterialId)>& counts) {
-    const Eigen::Matrix3d axes =
-        attitude_of(observer).toRotationMatrix().transpose();  // to right, forward, up
+    const PosedCamera camera(observer);
     double pixels = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        if (!counts(facets.material[f])) continue;
-        const Eigen::Vector3d line = facets.centroid[f].cast<double>() - observer.position;
-        const Eigen::Vector3d normal = facets.normal[f].cast<double>();
-        const bool parallel = observer.projection == Projection::orthographic;
-        const Eigen::Vector3d along =
-            parallel ? Eigen::Vector3d(axes.row(1).transpose()) : line.normalized();
-        const double facing = -along.dot(normal);
-        if (!(facing > 0.0)) continue;
-        const Spot spot = spot_of(observer, axes * line);
-        if (!spot.inside) continue;
-        const double apparent =
-            parallel ? facets.area[f] * facing : facets.area[f] * facing / line.squaredNorm();
-        pixels += apparent / spot.pixel;
+        if (counts(facets.material[f])) pixels += camera.pixels_of(facets, f);
     }
     return std::min(pixels, double(observer.width) * observer.height);
+}
+
+double seen_facets(std::span<const Observer> poses, const FacetSet& facets) {
+    const std::vector<PosedCamera> cameras(poses.begin(), poses.end());
+    const std::size_t apart = 1 + facets.size() * poses.size() / most_looked_at;
+    double seen = 0.0;
+    for (std::size_t f = 0; f < facets.size(); f += apart) {
+        double pixels = 0.0;
+        for (const PosedCamera& camera : cameras) pixels += camera.pixels_of(facets, f);
+        seen += 1.0 - std::exp(-pixels);
+    }
+    return seen * double(apart);
 }
 
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <span>
 
 #include "render/view/observer.hpp"
 #include "terrain/facets.hpp"
@@ -14,5 +16,12 @@ namespace diurna {
 /// - counts: (material)
 double seen_pixels(const Observer& observer, const FacetSet& facets,
                    const std::function<bool(MaterialId)>& counts);
+
+/// Number of facets of which pictures show a pixel, ignoring occlusion: from the same solid angles,
+/// of at most `most_looked_at` facets and poses, evenly chosen.
+double seen_facets(std::span<const Observer> poses, const FacetSet& facets);
+/// Poses of a trajectory at which what is seen is counted.
+inline constexpr std::size_t most_poses = 12;
+inline constexpr std::size_t most_looked_at = 2'000'000;
 
 }  // namespace diurna

@@ -12,6 +12,8 @@ std::string name_of(StageId stage) {
             return "shadows";
         case StageId::heat_balance:
             return "heat balance";
+        case StageId::surface_check:
+            return "surface check";
         case StageId::write_temperatures:
             return "write temperatures";
         case StageId::views:

@@ -10,6 +10,7 @@ enum class StageId {
     sky_view,
     shadows,
     heat_balance,
+    surface_check,
     write_temperatures,
     views,
     frames,

@@ -9,7 +9,7 @@
 #include "materials/base/random.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "render/view/pixel_rays.hpp"
-#include "scenes/job/run/heat_bands.hpp"
+#include "scenes/job/plan/heat_bands.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/relief/smooth_normals.hpp"

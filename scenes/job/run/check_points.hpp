@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scenes/job/plan/check_work.hpp"
 #include "scenes/job/run/stages.hpp"
 #include "thermal/solve/network_object.hpp"
 #include "thermal/solve/representatives.hpp"
@@ -32,8 +33,8 @@ struct CheckPoints {
     std::vector<std::uint32_t> like;  // (patch) its facet
     std::size_t skipped = 0;          // on panes, nets, sheets, targets, copies, movers
 
-    static constexpr int rays = 4096;       // to sky and surroundings
-    static constexpr int sun_samples = 64;  // to the sun's disc
+    static constexpr int rays = check_rays;                // to sky and surroundings
+    static constexpr int sun_samples = check_sun_samples;  // to the sun's disc
 };
 
 /// Draws points evenly over the pictures of every observer with a band beyond 3 µm, the same number

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "materials/radiation/planck.hpp"
-#include "scenes/job/run/heat_bands.hpp"
+#include "scenes/job/plan/heat_bands.hpp"
 #include "scenes/job/world/air.hpp"
 #include "scenes/job/world/heights.hpp"
 

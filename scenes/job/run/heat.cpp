@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,22 @@
 namespace diurna {
 
 namespace {
+
+/// Seconds on the clock that calls take.
+class Stopwatch {
+ public:
+    template <class Call>
+    auto during(const Call& call) {
+        const auto begun = std::chrono::steady_clock::now();
+        auto result = call();
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        return result;
+    }
+    double seconds() const { return seconds_; }
+
+ private:
+    double seconds_ = 0.0;
+};
 
 /// What a file of state holds; mistakes are reported with their place in the scene file.
 TimedState loaded_state(const Prepared& prepared) {
@@ -136,21 +153,22 @@ namespace {
 /// The span of representative facets, and of check points beside them.
 SolvedScene solve_needed(std::span<const SpanStage> spans, const SpanOptions& options,
                          const Representatives& who, const Stages& stages,
-                         const CheckPoints& points) {
+                         const CheckPoints& points, Stopwatch& checking) {
     std::vector<std::unique_ptr<SolvedPart>> part;
     std::vector<SpanStage> solved;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const SpanStage& span = spans[i];
         const Prepared& scene = stages.at(i).prepared;
-        part.push_back(std::make_unique<SolvedPart>(span.input, who, patches_at(points, scene)));
-        solved.push_back({span.from, part.back()->input(),
-                          [&](const std::vector<Instant>& when) {
-                              return with_beside(span.exposure(when), who.solved.size(),
-                                                 points.point.empty()
-                                                     ? SunExposure{}
-                                                     : sun_at(points, scene, when));
-                          },
-                          span.early});
+        const BesideFacets patches = checking.during([&] { return patches_at(points, scene); });
+        part.push_back(std::make_unique<SolvedPart>(span.input, who, patches));
+        solved.push_back(
+            {span.from, part.back()->input(),
+             [&](const std::vector<Instant>& when) {
+                 return with_beside(span.exposure(when), who.solved.size(), checking.during([&] {
+                     return points.point.empty() ? SunExposure{} : sun_at(points, scene, when);
+                 }));
+             },
+             span.early});
     }
     SolvedScene result{solve_span(solved, options)};
     const std::size_t facets = who.solved.size(), beside = points.like.size();
@@ -161,7 +179,8 @@ SolvedScene solve_needed(std::span<const SpanStage> spans, const SpanOptions& op
     }
     spread(who, result, beside);
     if (beside > 0) {
-        result.check = check_error(stages, points, result.temperature, patches);
+        result.check = checking.during(
+            [&] { return check_error(stages, points, result.temperature, patches); });
         result.places = points.point.size();
         result.notes.push_back(in_words(result.check, points, stages.scene().scene.tolerance));
     }
@@ -201,9 +220,11 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
     span.day.tell = [&](const std::string& doing) { progress.doing(doing); };
     std::vector<std::unique_ptr<StageHeat>> heat;
     std::vector<SpanStage> parts;
+    Stopwatch further_views, checking;
     for (std::size_t i = 0; i < stages.size(); ++i) {
+        const SceneStage stage = further_views.during([&] { return stages.at(i); });
         StageHeat* const own =
-            heat.emplace_back(std::make_unique<StageHeat>(stages.at(i), span.end)).get();
+            heat.emplace_back(std::make_unique<StageHeat>(stage, span.end)).get();
         parts.push_back({i == 0 ? span.start : scene.movement.stage[i], own->input(),
                          [own](const std::vector<Instant>& when) { return own->exposure(when); },
                          i > 0 && scene.movement.early[i]});
@@ -230,7 +251,7 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
                     : solve_needed(parts, span,
                                    needed ? needed->who
                                           : all_represent_themselves(scene.world.surfaces().size()),
-                                   stages, points);
+                                   stages, points, checking);
     result.unchecked = points.skipped;
     if (points.point.empty() && points.skipped > 0) {
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));
@@ -251,7 +272,9 @@ SolvedScene solve_scene(const Stages& stages, Progress& progress, const HeatDeci
     }
     double shadows = 0.0;
     for (const auto& own : heat) shadows += own->shadow_seconds();
+    if (stages.size() > 1) progress.set_apart(StageId::sky_view, further_views.seconds());
     progress.set_apart(StageId::shadows, shadows);
+    if (!points.point.empty()) progress.set_apart(StageId::surface_check, checking.seconds());
     return result;
 }
 

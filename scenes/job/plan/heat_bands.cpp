@@ -1,4 +1,4 @@
-#include "scenes/job/run/heat_bands.hpp"
+#include "scenes/job/plan/heat_bands.hpp"
 
 #include <utility>
 

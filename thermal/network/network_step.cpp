@@ -229,11 +229,28 @@ void NetworkStepper::guess(const NetworkState& since, double onward) {
     go_on(state.lump, since.lump);
 }
 
+void NetworkStepper::guessed_stage(double tau, double share, const NetworkForcing& forcing,
+                                   const NetworkState& start) {
+    if (course == nullptr) {
+        stage(tau, share, forcing, start);
+        return;
+    }
+    const int limited = count.limited;
+    guess_ = state;
+    course->correct(state);
+    stage(tau, share, forcing, start);
+    if (count.limited > limited) {
+        course->discard();
+    } else {
+        course->store(guess_, state);
+    }
+}
+
 void NetworkStepper::advance(double step, const NetworkForcing& forcing) {
     const NetworkState start = state;
     const double tau = sdirk_gamma * step;
     if (last_step_ > 0.0) guess(before_, sdirk_gamma * step / last_step_);
-    stage(tau, stage_share[0], forcing, start);
+    guessed_stage(tau, stage_share[0], forcing, start);
     NetworkState onward = start;
     const auto go_on = [](const std::vector<double>& now, std::vector<double>& of) {
         for (std::size_t k = 0; k < of.size(); ++k) of[k] += stage_onward * (now[k] - of[k]);
@@ -241,7 +258,7 @@ void NetworkStepper::advance(double step, const NetworkForcing& forcing) {
     go_on(state.node, onward.node);
     go_on(state.lump, onward.lump);
     guess(start, 1.0 / sdirk_gamma - 1.0);
-    stage(tau, stage_share[1], forcing, onward);
+    guessed_stage(tau, stage_share[1], forcing, onward);
     before_ = start;
     last_step_ = step;
 }

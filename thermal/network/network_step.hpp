@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "thermal/network/network_course.hpp"
 #include "thermal/network/network_system.hpp"
 
 namespace diurna {
@@ -50,6 +51,8 @@ class NetworkStepper {
     NetworkState state;
     NetworkCount count;
     double closed = 4e-9;
+    /// Of an earlier march, for the guesses of this one; null: none. Its step must have begun.
+    NetworkCourse* course = nullptr;
 
     /// Sets all to one temperature.
     void settle(double kelvin);
@@ -69,6 +72,8 @@ class NetworkStepper {
     double facet_residual(std::size_t f, std::size_t block, double tau, const NetworkState& start);
     double residual(double tau, const NetworkState& start);
     void guess(const NetworkState& since, double onward);
+    void guessed_stage(double tau, double share, const NetworkForcing& forcing,
+                       const NetworkState& start);
 
     const HeatNetwork& network_;
     NetworkSystem system_;
@@ -76,6 +81,7 @@ class NetworkStepper {
     NetworkSystem::Given given_;
     std::vector<double> flowing_;  // (block of facets) [W]
     NetworkState before_{};        // previous step
+    NetworkState guess_{};         // of a stage, without its course
     double last_step_ = 0.0;       // [s]; 0: no step yet
     NetworkLoads loads_;
     FaceFluxes faces_;

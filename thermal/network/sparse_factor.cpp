@@ -1,6 +1,5 @@
 #include "thermal/network/sparse_factor.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,12 +13,19 @@ namespace {
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 constexpr std::uint32_t to_all = 0xFFFFFFFEu;
 
+/// Column pointers and rows of a matrix.
+std::vector<int> pattern_of(const Eigen::SparseMatrix<float>& matrix) {
+    std::vector<int> pattern(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1);
+    pattern.insert(pattern.end(), matrix.innerIndexPtr(),
+                   matrix.innerIndexPtr() + matrix.nonZeros());
+    return pattern;
+}
+
 }  // namespace
 
 /// Puts unknowns in groups by whole subtrees; the tops of subtrees that are too large are common.
-/// Sets place_ (unknown of the factor) and group_.
-void SparseFactor::group(const std::vector<std::uint32_t>& parent,
-                         const std::vector<std::uint32_t>& entries) {
+SparseFactor::Order SparseFactor::group(const std::vector<std::uint32_t>& parent,
+                                        const std::vector<std::uint32_t>& entries) {
     const std::size_t size = parent.size();
     std::vector<std::uint64_t> weight(entries.begin(), entries.end());  // of subtrees
     for (std::size_t j = 0; j < size; ++j) ++weight[j];
@@ -53,47 +59,97 @@ void SparseFactor::group(const std::vector<std::uint32_t>& parent,
     for (std::size_t j = size; j-- > 0;) {
         if (of[j] == none) of[j] = of[parent[j]];
     }
-    std::array<std::size_t, groups + 1> count{};
-    for (const std::uint32_t g : of) ++count[g == to_all ? groups : g];
-    std::size_t next = 0;
-    for (std::size_t g = 0; g <= groups; ++g) {
-        group_[g] = next;
-        next += count[g];
-    }
-    std::array<std::size_t, groups + 1> at = group_;
-    place_.resize(size);
+    Order order;
     for (std::size_t j = 0; j < size; ++j) {
-        place_[j] = std::uint32_t(at[of[j] == to_all ? groups : of[j]]++);
+        order[of[j] == to_all ? groups : of[j]].push_back(std::uint32_t(j));
     }
+    return order;
+}
+
+/// Unknowns by level, those with the most entries first, so that lanes are about equally long.
+SparseFactor::Sweep SparseFactor::sweep(std::vector<std::uint32_t> unknowns,
+                                        const std::vector<std::uint32_t>& level,
+                                        const Entries& entries, std::uint32_t unused) {
+    std::stable_sort(unknowns.begin(), unknowns.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return level[a] != level[b] ? level[a] < level[b] : entries[a].size() > entries[b].size();
+    });
+    Sweep all;
+    all.first.push_back(0);
+    for (std::size_t begin = 0; begin < unknowns.size();) {
+        std::size_t end = begin + 1;
+        while (end < std::min(unknowns.size(), begin + lanes) &&
+               level[unknowns[end]] == level[unknowns[begin]]) {
+            ++end;
+        }
+        const std::size_t longest = entries[unknowns[begin]].size(), base = all.at.size();
+        all.at.resize(base + longest * lanes, unused);
+        all.value.resize(all.value.size() + longest, Lanes{});
+        for (std::size_t l = 0; l < lanes; ++l) {
+            all.unknown.push_back(begin + l < end ? unknowns[begin + l] : unused);
+            if (begin + l >= end) continue;
+            const std::vector<Entry>& own = entries[unknowns[begin + l]];
+            for (std::size_t k = 0; k < own.size(); ++k) {
+                all.at[base + k * lanes + l] = own[k].at;
+                all.value[base / lanes + k][l] = own[k].value;
+            }
+        }
+        all.first.push_back(std::uint32_t(all.at.size() / lanes));
+        begin = end;
+    }
+    return all;
+}
+
+/// A level is one above those of all that an unknown depends on within its group; the common
+/// ones come after all groups on the way down, and before them on the way up.
+void SparseFactor::build(const Order& order, const Entries& rows, const Entries& columns) {
+    const std::size_t size = rows.size();
+    std::vector<std::uint32_t> group_of(size), level(size, 0);
+    for (std::size_t g = 0; g <= groups; ++g) {
+        for (const std::uint32_t j : order[g]) group_of[j] = std::uint32_t(g);
+    }
+    const auto set_level = [&](std::size_t j, const Entries& entries) {
+        std::uint32_t above = 0;
+        for (const Entry& entry : entries[j]) {
+            if (group_of[entry.at] == group_of[j]) above = std::max(above, level[entry.at] + 1);
+        }
+        level[j] = above;
+    };
+    for (std::size_t j = 0; j < size; ++j) set_level(j, rows);
+    for (std::size_t g = 0; g <= groups; ++g) {
+        down_[g] = sweep(order[g], level, rows, std::uint32_t(size + g));
+    }
+    for (std::size_t j = size; j-- > 0;) set_level(j, columns);
+    for (std::size_t g = 0; g <= groups; ++g) {
+        up_[g] = sweep(order[g], level, columns, std::uint32_t(size + g));
+    }
+}
+
+bool SparseFactor::factorise(const Eigen::SparseMatrix<float>& lower) {
+    std::vector<int> pattern = pattern_of(lower);
+    if (pattern != pattern_) {
+        factor_.analyzePattern(lower);
+        pattern_ = std::move(pattern);
+    }
+    factor_.factorize(lower);
+    return factor_.info() == Eigen::Success;
 }
 
 void SparseFactor::compute(const Eigen::SparseMatrix<float>& lower) {
     constexpr float least = 0.003f;
     const auto size = std::size_t(lower.rows());
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<float>> factor(lower);
     place_.resize(size);
-    column_.assign(1, 0);
-    shared_.clear();
-    row_.clear();
-    entry_.clear();
-    inverse_.resize(size);
-    work_.resize(size);
-    if (factor.info() != Eigen::Success) {
+    inverse_.assign(size + groups + 1, 0.0f);
+    work_.assign(size + groups + 1, 0.0f);
+    std::vector<std::uint32_t> parent(size, none), entries(size, 0);
+    Entries rows(size), columns(size);
+    if (!factorise(lower)) {
         std::iota(place_.begin(), place_.end(), 0u);
-        group_.fill(0);
-        column_.assign(size + 1, 0);
-        shared_.assign(size, 0);
         for (std::size_t k = 0; k < size; ++k) inverse_[k] = 1.0f / lower.coeff(int(k), int(k));
+        build(group(parent, entries), rows, columns);
         return;
     }
-    const auto& diagonal = factor.vectorD();
-    const Eigen::SparseMatrix<float>& l = factor.matrixL().nestedExpression();
-    struct Entry {
-        std::uint32_t row;
-        float value;
-    };
-    std::vector<std::vector<Entry>> kept(size);
-    std::vector<std::uint32_t> parent(size, none), entries(size, 0);
+    const auto& diagonal = factor_.vectorD();
+    const Eigen::SparseMatrix<float>& l = factor_.matrixL().nestedExpression();
     for (Eigen::Index j = 0; j < l.cols(); ++j) {
         for (Eigen::SparseMatrix<float>::InnerIterator at(l, j); at; ++at) {
             if (at.row() <= j) continue;
@@ -103,53 +159,34 @@ void SparseFactor::compute(const Eigen::SparseMatrix<float>& lower) {
             if (!(std::abs(at.value()) * std::sqrt(diagonal[j] / diagonal[at.row()]) > least)) {
                 continue;
             }
-            kept[column].push_back({row, at.value()});
+            columns[column].push_back({row, at.value()});
+            rows[row].push_back({column, at.value()});
             ++entries[column];
         }
     }
-    group(parent, entries);
-    std::vector<std::uint32_t> of_place(size);
-    for (std::size_t j = 0; j < size; ++j) of_place[place_[j]] = std::uint32_t(j);
+    build(group(parent, entries), rows, columns);
     for (std::size_t k = 0; k < size; ++k) {
-        std::vector<Entry>& column = kept[of_place[k]];
-        for (Entry& entry : column) entry.row = place_[entry.row];
-        std::sort(column.begin(), column.end(),
-                  [](const Entry& a, const Entry& b) { return a.row < b.row; });
-        shared_.push_back(std::uint32_t(row_.size()));
-        for (const Entry& entry : column) {
-            if (entry.row < common()) ++shared_.back();
-            row_.push_back(entry.row);
-            entry_.push_back(entry.value);
-        }
-        column_.push_back(std::uint32_t(row_.size()));
-        inverse_[k] = 1.0f / diagonal[Eigen::Index(of_place[k])];
-    }
-    for (std::vector<float>& to : to_common_) to.resize(size - common());
-    // From rows of the matrix: first to the factor's order, then to that of groups.
-    const std::vector<std::uint32_t> of_factor = place_;
-    for (std::size_t k = 0; k < size; ++k) {
-        place_[k] = of_factor[std::size_t(factor.permutationP().indices()[Eigen::Index(k)])];
+        inverse_[k] = 1.0f / diagonal[Eigen::Index(k)];
+        place_[k] = std::uint32_t(factor_.permutationP().indices()[Eigen::Index(k)]);
     }
 }
 
-void SparseFactor::forward(std::size_t group) {
-    std::vector<float>& to_common = to_common_[group];
-    std::fill(to_common.begin(), to_common.end(), 0.0f);
-    const std::size_t first_common = common();
-    for (std::size_t j = group_[group]; j < group_[group + 1]; ++j) {
-        const float x = work_[j];
-        for (std::uint32_t k = column_[j]; k < shared_[j]; ++k) work_[row_[k]] -= entry_[k] * x;
-        for (std::uint32_t k = shared_[j]; k < column_[j + 1]; ++k) {
-            to_common[row_[k] - first_common] -= entry_[k] * x;
+void SparseFactor::run(const Sweep& sweep, const float* scale) {
+    float* const work = work_.data();
+    for (std::size_t c = 0; c < sweep.chunks(); ++c) {
+        const std::uint32_t* const unknown = &sweep.unknown[c * lanes];
+        Lanes x{};
+        for (std::size_t l = 0; l < lanes; ++l) x[l] = work[unknown[l]];
+        if (scale != nullptr) {
+            for (std::size_t l = 0; l < lanes; ++l) x[l] *= scale[unknown[l]];
         }
-    }
-}
-
-void SparseFactor::backward(std::size_t begin, std::size_t end) {
-    for (std::size_t j = end; j-- > begin;) {
-        float x = work_[j] * inverse_[j];
-        for (std::uint32_t k = column_[j]; k < column_[j + 1]; ++k) x -= entry_[k] * work_[row_[k]];
-        work_[j] = x;
+        for (std::size_t k = sweep.first[c]; k < sweep.first[c + 1]; ++k) {
+            const std::uint32_t* const at = &sweep.at[k * lanes];
+            Lanes known{};
+            for (std::size_t l = 0; l < lanes; ++l) known[l] = work[at[l]];
+            x -= sweep.value[k] * known;
+        }
+        for (std::size_t l = 0; l < lanes; ++l) work[unknown[l]] = x[l];
     }
 }
 
@@ -160,20 +197,11 @@ void SparseFactor::solve(const std::vector<double>& r, std::vector<double>& z) {
     const double scale = 1.0 / large;
     for (std::size_t k = 0; k < size; ++k) work_[place_[k]] = float(scale * r[k]);
     for_each_index(
-        groups, [&](std::size_t g) { forward(g); }, 1);
-    const std::size_t first = common();
-    if (first > 0) {
-        for (const std::vector<float>& to_common : to_common_) {
-            for (std::size_t k = first; k < size; ++k) work_[k] += to_common[k - first];
-        }
-    }
-    for (std::size_t j = first; j < size; ++j) {
-        const float x = work_[j];
-        for (std::uint32_t k = column_[j]; k < column_[j + 1]; ++k) work_[row_[k]] -= entry_[k] * x;
-    }
-    backward(first, size);
+        groups, [&](std::size_t g) { run(down_[g], nullptr); }, 1);
+    run(down_[groups], nullptr);
+    run(up_[groups], inverse_.data());
     for_each_index(
-        groups, [&](std::size_t g) { backward(group_[g], group_[g + 1]); }, 1);
+        groups, [&](std::size_t g) { run(up_[g], inverse_.data()); }, 1);
     for (std::size_t k = 0; k < size; ++k) z[k] = large * double(work_[place_[k]]);
 }
 

@@ -20,7 +20,8 @@ constexpr double repeats_within = 3e-3;         // [K] of a period that is found
 constexpr double repeats_in_hours = 0.3;        // [K] of one that is only a first guess
 constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
-constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
+constexpr double soon_done = 0.4;  // [W m⁻²] of neighbours' heat, where a run may be the last
+constexpr std::size_t stages_of_step = 2;
 
 /// What a march may leave of the heat that flows: the last one; one of a day that only leads to the
 /// span, or before the last; one whose neighbours are far from known.
@@ -198,6 +199,7 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
     bend.add(stepper.state.node);
     for (std::size_t i = 0; i < around.steps(); ++i) {
         const int parts = bend.rms() < straight ? fewer : own;
+        target.course.begin_step(i, stages_of_step * std::size_t(parts));
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
@@ -226,15 +228,18 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const bool roughly = in_hours || far || (leads_in && !target.closed);
     stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
     target.level = level.stride;
+    const std::size_t stride_before = target.stride;
     target.longest = in_hours || nothing_known    ? any_step
                      : far || (leads_in && !last) ? longest_straight
                                                   : longest_step;
     target.stride = !in_hours && nothing_known ? rough_stride(solve_) : level.stride;
     NetworkSurroundings around(solve_, level, *target.object, target.stride);
+    if (target.stride != stride_before) target.course.clear();
     if (target.start.empty()) {
         guess(target, around, stepper);
         target.start = flat(stepper.state);
     }
+    stepper.course = &target.course;
     NetworkPeriod period(target.object->network);
     const double span = solve_.step * double(solve_.steps());
     for (int i = 0; i < most_marches; ++i) {

@@ -89,21 +89,25 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     PlannedWork work{.sky = sky_work(scene, world),
                      .days = solved_days(scene, world.site, weather, plan.stages_of_motion > 1),
                      .pictures = picture_work(scene, world, sequences),
+                     .facets = double(plan.facets),
                      .networks = double(network_facets(scene, world)),
+                     .every = !plan.decisions.heat.every_facet.empty(),
                      .stages = double(plan.stages_of_motion)};
-    work.solved = solved_facets(world, sequences, !plan.decisions.heat.every_facet.empty(),
-                                work.sky.close_ground);
+    work.solved = solved_facets(world, sequences, work.every, work.sky.close_ground);
     work.points = point_work(scene, world, weather, work.days);
     work.check = check_work(scene, plan.decisions.heat, work.stages, work.days);
     plan.sky_rays = static_cast<std::size_t>(
         work.stages * (work.sky.ground_rays + work.sky.wall_rays + work.sky.network_rays));
-    const double facets = double(plan.facets), networks = work.networks;
+    const double facets = work.facets, networks = work.networks;
     // That of details is by rays, as objects are.
     const double ground = double(world.ground_facets) -
                           double(std::count(world.on_detail.begin(), world.on_detail.end(), 1));
     const double threads = thread_count();
     const double through = scene.plumes.empty() ? 1.0 : plan_costs.seen_through;
     const double instruments = instrument_seconds(scene, through, plan);
+    for (const InstrumentCost& cost : plan.instruments) {
+        work.samples = std::max(work.samples, cost.seen_pixels);
+    }
     // Fluxes: one more pass, eight values beside each temperature that is kept.
     const double kept = double(scene_span(scene).wanted.size());
     const double passes = scene.output.fluxes ? plan_costs.flux_passes : 1.0;
@@ -165,7 +169,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     plan.finer_seconds = finer_round(plan);
-    plan.memory = planned_memory(scene, plan, work);
+    plan.memory = planned_memory(scene, work);
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ double stage_bytes(double facets, double solved, bool part, const PlannedWork& w
 
 }  // namespace
 
-double planned_memory(const Scene& scene, const Plan& plan, const PlannedWork& work) {
-    const double facets = double(plan.facets);
+double planned_memory(const Scene& scene, const PlannedWork& work) {
+    const double facets = work.facets;
     const double others = double(scene.uncertain.size());  // scenes with a value changed
     const double solved = work.solved;
-    const bool part = plan.decisions.heat.every_facet.empty() || work.check.patches > 0.0;
+    const bool part = !work.every || work.check.patches > 0.0;
     const double stage = stage_bytes(facets, solved, part, work);
     const double further_stages =
         (work.stages - 1.0) *
@@ -39,11 +39,8 @@ double planned_memory(const Scene& scene, const Plan& plan, const PlannedWork& w
              plan_costs.freezing_facet * work.points.freezing) +
         (scene.output.fluxes ? 2.0 * 4.0 * work.values : 0.0);  // of the steps, and at instants
     const double sampling = plan_costs.sampled_entry * work.sky.sampled;
-    double instruments = 0.0;
-    for (const InstrumentCost& cost : plan.instruments) {
-        instruments = std::max(instruments, plan_costs.instrument_sample * cost.seen_pixels);
-    }
-    const double pictures = instruments + work.pictures.largest_view * (1.0 + others) +
+    const double pictures = plan_costs.instrument_sample * work.samples +
+                            work.pictures.largest_view * (1.0 + others) +
                             4.0 * work.values * (1.0 + others) +
                             (scene.observers.empty() ? 0.0 : plan_costs.pictured_facet * facets);
     return plan_costs.program + plan_costs.facet * facets +

@@ -17,8 +17,8 @@ struct SkyWork {
     double entries = 0.0;       // once these are reciprocal
 };
 
-/// Within a factor of 1.5 for rays and 2.5 for entries (tests/scenes/plan_test.cpp). Takes less than
-/// 50 ms.
+/// Within a factor of 1.5 for rays and 2.5 for entries (tests/scenes/plan_test.cpp). Takes less
+/// than 50 ms.
 SkyWork sky_work(const Scene& scene, const World& world);
 
 }  // namespace diurna

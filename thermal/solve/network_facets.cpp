@@ -229,12 +229,15 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
     target.level = level.stride;
     const std::size_t stride_before = target.stride;
-    target.longest = in_hours || nothing_known    ? any_step
-                     : far || (leads_in && !last) ? longest_straight
-                                                  : longest_step;
+    const double longest = in_hours || nothing_known    ? any_step
+                           : far || (leads_in && !last) ? longest_straight
+                                                        : longest_step;
     target.stride = !in_hours && nothing_known ? rough_stride(solve_) : level.stride;
     NetworkSurroundings around(solve_, level, *target.object, target.stride);
-    if (target.stride != stride_before) target.course.clear();
+    const bool other_steps = target.stride != stride_before;
+    if (other_steps) target.course.clear();
+    // Never longer again: where an engine starts, neighbours would not settle between the two.
+    target.longest = first || other_steps ? longest : std::min(target.longest, longest);
     if (target.start.empty()) {
         guess(target, around, stepper);
         target.start = flat(stepper.state);

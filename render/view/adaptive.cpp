@@ -17,7 +17,7 @@ namespace {
 
 /// Variance of what a pixel's samples show in the worst appearance, if there were `samples`.
 double variance(const View& view, std::size_t pixel, std::span<const Appearance> appearances,
-                int samples) {
+                double samples, const SeenInPixels& seen = {}) {
     double worst = 0.0;
     for (const Appearance& appearance : appearances) {
         double sum = 0.0, squares = 0.0;
@@ -26,10 +26,12 @@ double variance(const View& view, std::size_t pixel, std::span<const Appearance>
             squares += weight * value * value;
         };
         // From the sky's value, so that large numbers' differences stay exact.
-        const double base = double{appearance.sky};
+        const double base = seen.sky.empty() ? double{appearance.sky} : double{seen.sky[pixel]};
         for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
             const Sighting& s = view.sighting[k];
-            add(double{s.weight}, double{appearance.facet[index(view.surface[s.target])]} - base);
+            const double more = seen.warmer.empty() ? 0.0 : double{seen.warmer[k]};
+            add(double{s.weight},
+                double{appearance.facet[index(view.surface[s.target])]} - base + more);
         }
         worst = std::max(worst, squares - sum * sum);
     }
@@ -57,13 +59,20 @@ std::vector<double> smoothed(const View& view, const std::vector<double>& values
 /// Extra samples of a level: 0, 16, 48, 112 ...
 int extra(int level) { return 16 * ((1 << level) - 1); }
 
-/// [K] Root mean square over pixels, of `from` samples and the others wanted, weighted by n^3/2.
-double error_of(std::span<const double> of_one, std::span<const int> wanted, int from) {
-    double sum = 0.0;
-    for (std::size_t p = 0; p < of_one.size(); ++p) {
-        sum += of_one[p] / (std::pow(from, 1.5) + std::pow(wanted[p] - from, 1.5));
-    }
-    return std::sqrt(sum / double(std::max<std::size_t>(1, of_one.size())));
+/// As many samples of one round leave the error of these, of which each round is weighted by n^3/2.
+float in_one_round(int first, int second) {
+    return float(std::pow(std::pow(first, 1.5) + std::pow(second, 1.5), 2.0 / 3.0));
+}
+
+/// A of a pixel alone: see variance_of_one().
+double own_variance_of_one(const View& view, std::size_t pixel,
+                           std::span<const Appearance> appearances, double samples,
+                           const SeenInPixels& seen = {}) {
+    const double sights =
+        double(view.row[pixel + 1] - view.row[pixel]) + (view.sky[pixel] > 0.0f ? 1.0 : 0.0);
+    if (sights < 2.0) return 0.0;
+    return std::max(0.0, variance(view, pixel, appearances, samples, seen)) *
+           std::sqrt(sights - 1.0);
 }
 
 }  // namespace
@@ -94,18 +103,24 @@ std::vector<double> variance_of_one(const View& view, std::span<const Appearance
                                     int samples) {
     std::vector<double> own(view.pixels());
     for_each_index(own.size(), [&](std::size_t p) {
-        const double sights = double(view.row[p + 1] - view.row[p]) + (view.sky[p] > 0.0f);
-        own[p] = std::max(0.0, variance(view, p, appearances, samples)) *
-                 std::sqrt(std::max(0.0, sights - 1.0));
+        own[p] = own_variance_of_one(view, p, appearances, samples);
     });
     const std::vector<double> around = smoothed(view, own);
     for (std::size_t p = 0; p < own.size(); ++p) own[p] = 0.5 * (own[p] + around[p]);
     return own;
 }
 
-double sampling_error(const View& view, std::span<const Appearance> appearances, int samples) {
-    const std::vector<double> of_one = variance_of_one(view, appearances, samples);
-    return error_of(of_one, std::vector<int>(of_one.size(), samples), samples);
+double sampling_error(const View& view, const Appearance& appearance, const SeenInPixels& seen) {
+    if (view.samples.empty()) return 0.0;
+    std::vector<double> of_mean(view.pixels());
+    for_each_index(of_mean.size(), [&](std::size_t p) {
+        const double samples = double{view.samples[p]};
+        of_mean[p] =
+            own_variance_of_one(view, p, {&appearance, 1}, samples, seen) / std::pow(samples, 1.5);
+    });
+    double sum = 0.0;
+    for (const double of : of_mean) sum += of;
+    return std::sqrt(sum / double(std::max<std::size_t>(1, of_mean.size())));
 }
 
 std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options) {
@@ -152,7 +167,10 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
     View view = cast_view(scene, facets, observer, round);
     const std::vector<double> of_one = variance_of_one(view, appearances, options.from);
     const std::vector<int> wanted = samples_wanted(of_one, options);
-    view.sampling_error = error_of(of_one, wanted, options.from);
+    view.samples.resize(view.pixels());
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        view.samples[p] = in_one_round(options.from, wanted[p] - options.from);
+    }
     for (int level = 1; options.from + extra(level) <= options.to; ++level) {
         std::vector<std::uint8_t> asked(view.pixels());
         std::vector<float> share(view.pixels(), 0.0f);

@@ -46,8 +46,16 @@ std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& 
 std::vector<double> variance_of_one(const View& view, std::span<const Appearance> appearances,
                                     int samples);
 
-/// [K] View::sampling_error of a view with the same number of samples in every pixel, from 2 on.
-double sampling_error(const View& view, std::span<const Appearance> appearances, int samples);
+/// What pixels see beyond an Appearance.
+struct SeenInPixels {
+    std::span<const float> warmer = {};  // (sighting) [K] than its facet's appearance; empty: 0
+    std::span<const float> sky = {};     // (pixel) [K] in place of Appearance::sky; empty: as there
+};
+
+/// [K] Expected root mean square, over the pixels, of what their number of samples leaves of their
+/// mean appearance; 0 where View::samples is empty.
+double sampling_error(const View& view, const Appearance& appearance,
+                      const SeenInPixels& seen = {});
 
 /// Samples of each pixel that reach the tolerance at the lowest total cost: for a given total of
 /// samples the sum of A n^-3/2 over the picture is least with n in proportion to A^2/5 (as Neyman
@@ -59,8 +67,8 @@ double sampling_error(const View& view, std::span<const Appearance> appearances,
 std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options);
 
 /// cast_view() with `from` samples, then with more in the pixels that need them. `view.samples` is
-/// not used. A pixel's mean weights its two rounds by n^3/2, the inverse of their errors. What they
-/// leave is View::sampling_error. The same for any number of threads.
+/// not used. A pixel's mean weights its two rounds by n^3/2, the inverse of their errors. Sets
+/// View::samples. The same for any number of threads.
 ///
 /// Bias: an object with a share p of a pixel that all `from` independent samples miss, with
 /// probability (1 − p)^from, is only sampled again if its neighbours vary: it appears too faint by

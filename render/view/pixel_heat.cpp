@@ -153,8 +153,10 @@ void set_pixel_heat(const View& view, const SunOverFacets& sun, const MaterialLi
         kelvins_of_sun(sun.facets, crossed, mean, temperature,
                        most_kelvins_of_sun(sun.facets, materials, sun.to_sun, temperature));
     pixels.warmer.resize(pixels.sighting.size());
+    pixels.kelvins.resize(pixels.sighting.size());
     for (std::size_t e = 0; e < pixels.warmer.size(); ++e) {
         const std::size_t facet = index(view.surface[view.sighting[pixels.sighting[e]].target]);
+        pixels.kelvins[e] = kelvins[facet];
         pixels.warmer[e] = kelvins[facet] * (share[e] - mean[facet]);
     }
 }

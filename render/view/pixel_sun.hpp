@@ -35,6 +35,7 @@ struct PixelSun {
     std::vector<float> past_share{};      // (entry) over SunOverFacets::past; empty: none
     std::vector<std::uint8_t> crossed{};  // facets_with_edges()
     std::vector<float> warmer{};          // (entry) [K] than its facet (pixel_heat.hpp); or empty
+    std::vector<float> kelvins{};         // (entry) [K] from shade to full sun, with `warmer`
     std::uint64_t rays = 0;               // cast to the sun
 };
 

@@ -70,9 +70,9 @@ struct View {
     std::vector<std::uint32_t> centre_copy{};  // (pixel)
     double observer_height = 0.0;              // [m] above the origin's level surface
     std::uint64_t rays = 0;                    // cast to make it
-    /// [K] Expected rms of its pixels' mean appearance due to their number of samples, in the worst
-    /// appearance of cast_adaptive_view(); 0: not estimated.
-    double sampling_error = 0.0;
+    /// (pixel) Number of samples that leave the error of those it has, which may have been taken in
+    /// two rounds; empty: no error is to be estimated.
+    std::vector<float> samples{};
     ViewExtent extent;
 
     std::size_t pixels() const { return sky.size(); }

@@ -174,3 +174,23 @@ TEST_CASE("a truck that runs is warm in front, a parked one as cold as the air",
         CHECK(kelvin("off", part) < 290.0);  // the sky is colder than the air
     }
 }
+
+// The engine starts and stops within steps of the span, and the air grows warmer day by day, so
+// that a day before the span is solved first and the span from its end.
+TEST_CASE("an engine that runs for half an hour settles", "[scenes][models]") {
+    const ScratchFolder folder("models");
+    const auto file =
+        scene_with(folder.path, object_of("on", "truck", 0.0, "running = [\"10:40-11:10\"]\n"));
+    std::string weather =
+        "time,air_temperature_K,relative_humidity,pressure_Pa,wind_speed_m_s,longwave_down_W_m2\n";
+    for (int h = 0; h <= 24; ++h) {
+        weather += fmt::format("2026-03-{:02}T{:02}:00:00Z,{},0.3,100000,3,330\n", 20 + h / 24,
+                               h % 24, 286.0 + 0.3 * h);
+    }
+    write_text(folder.path / "weather.csv", weather);
+    Prepared prepared = prepare(read_scene(file));
+    Progress silent(ProgressStyle::silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent);
+    CHECK(result.report.converged);
+    CHECK(result.report.passes <= 8);
+}

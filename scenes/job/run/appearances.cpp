@@ -67,4 +67,11 @@ std::vector<Appearance> appearances(const Prepared& prepared, std::span<const In
     return all;
 }
 
+void without_textures(const TextureLevels& levels, Appearance& look) {
+    if (levels.empty()) return;
+    for (std::size_t f = levels.solid; f < look.facet.size(); ++f) {
+        look.facet[f] = look.facet[index(levels.facet_of(surface_id(f)))];
+    }
+}
+
 }  // namespace diurna

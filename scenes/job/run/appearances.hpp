@@ -18,4 +18,8 @@ std::vector<Appearance> appearances(const Prepared& prepared, std::span<const In
                                     const FacetViews& views, const TemperatureField& field,
                                     std::span<const Band> bands);
 
+/// Gives all levels of a texture in a facet's place its appearance: what a sample sees there is a
+/// mixture of them already.
+void without_textures(const TextureLevels& levels, Appearance& look);
+
 }  // namespace diurna

@@ -1,5 +1,9 @@
 #include "scenes/job/run/frame_messages.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -22,6 +26,24 @@ std::string worst_note(std::span<const Messages> notes, const std::string& name)
     return worst;
 }
 
+/// The error of samples over all frames, and in the worst where they differ.
+std::string samples_note(std::span<const Messages> reported) {
+    double squares = 0.0, worst = 0.0;
+    int count = 0;
+    for (const Messages& of_frame : reported) {
+        for (const auto& [key, note] : of_frame) {
+            if (key != "samples") continue;
+            const double kelvins = std::strtod(note.c_str(), nullptr);
+            squares += kelvins * kelvins;
+            worst = std::max(worst, kelvins);
+            ++count;
+        }
+    }
+    if (count == 0) return "";
+    const std::string rms = fmt::format("{:.2g} K rms", std::sqrt(squares / count));
+    return count == 1 ? rms : fmt::format("{} (the worst of them by {:.2g} K)", rms, worst);
+}
+
 }  // namespace
 
 std::vector<std::string> errors_reported(const ObserverInput& observer,
@@ -36,10 +58,10 @@ std::vector<std::string> errors_reported(const ObserverInput& observer,
         if (!scattered.empty()) line += "; light scattered in front of surfaces: " + scattered;
         lines.push_back(std::move(line));
     }
-    if (const std::string samples = worst_note(reported, "samples"); !samples.empty()) {
+    if (const std::string samples = samples_note(reported); !samples.empty()) {
         lines.push_back("samples: pictures of " + observer.name + " differ by " + samples +
                         " from those with unlimited rays per pixel (estimated from differences "
-                        "within pixels; without edges of plumes and what mirrors show)");
+                        "within pixels; without textures, edges of plumes and what mirrors show)");
     }
     if (const std::string water = worst_note(reported, "water"); !water.empty()) {
         lines.push_back("wet and snow-covered surfaces, frame with most of them: " + observer.name +

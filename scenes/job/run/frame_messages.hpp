@@ -14,7 +14,7 @@ namespace diurna {
 /// - reported: the ledger's entry for each frame, notes by name that begin with a number
 
 /// For every band the error of the tables against the direct sum (Frame::notes); the error due to
-/// the number of samples (View::sampling_error); and the resolution of surfaces with snow or water
+/// the number of samples (sample_error.hpp); and the resolution of surfaces with snow or water
 /// in the frame with the most of them.
 std::vector<std::string> errors_reported(const ObserverInput& observer,
                                          std::span<const Messages> reported);

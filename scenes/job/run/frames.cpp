@@ -114,8 +114,8 @@ void render_instant(const FrameWork& work, const CastViews& cast, Instant instan
     add_sigma_planes(changed, s.bands, instant, blurred, picture.frame);
     Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
     for (const std::string& change : heat.changes) reported.emplace_back("uncertain", change);
-    if (s.view.sampling_error > 0.0) {
-        reported.emplace_back("samples", fmt::format("{:.2g} K rms", s.view.sampling_error));
+    if (picture.sample_error > 0.0) {
+        reported.emplace_back("samples", fmt::format("{:.2g} K rms", picture.sample_error));
     }
     for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
         reported.push_back(std::move(beyond));

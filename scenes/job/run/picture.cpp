@@ -20,6 +20,7 @@
 #include "scenes/job/run/light_heights.hpp"
 #include "scenes/job/run/measured_materials.hpp"
 #include "scenes/job/run/remembered_sun.hpp"
+#include "scenes/job/run/sample_error.hpp"
 #include "scenes/job/run/sun_on_surfaces.hpp"
 #include "scenes/job/world/light_source.hpp"
 #include "terrain/place/local_time.hpp"
@@ -185,7 +186,9 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                                        .plumes = prepared.plumes});
         cubes.push_back(cube_of(channels, cube.channels));
     }
-    return {std::move(frame), std::move(cubes), std::move(facts), camera};
+    const double by_samples =
+        sample_error(prepared, s, views, frame, temperature, ground, pixel_sun);
+    return {std::move(frame), std::move(cubes), std::move(facts), camera, by_samples};
 }
 
 }  // namespace diurna

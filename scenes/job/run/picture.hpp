@@ -15,6 +15,7 @@ struct Picture {
     std::vector<Cube> cube;  // of its cubes
     Facts facts;             // camera and instant
     CameraTags camera;
+    double sample_error = 0.0;  // [K] of its number of samples (sample_error.hpp); 0: not estimated
 };
 
 /// - series: cast from the observer's pose

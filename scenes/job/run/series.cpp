@@ -44,17 +44,6 @@ std::vector<SurfaceId> beside(const World& world, std::span<const SurfaceId> see
     return found;
 }
 
-/// Gives all levels of a texture in a facet's place its appearance: what a sample sees there is a
-/// mixture of them already.
-void without_textures(const TextureLevels& levels, std::vector<Appearance>& looks) {
-    if (levels.empty()) return;
-    for (Appearance& look : looks) {
-        for (std::size_t f = levels.solid; f < look.facet.size(); ++f) {
-            look.facet[f] = look.facet[index(levels.facet_of(surface_id(f)))];
-        }
-    }
-}
-
 /// Of an observer with so many samples a pixel: more, up to 256, where what a pixel sees differs in
 /// heat. Sixteen alone leave 0.2 to 0.3 K rms in a close view of
 /// vehicles and nets.
@@ -99,14 +88,15 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
         looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     }
     const bool estimated = !adaptive && asked.empty() && s.input.samples >= 2;
-    if (estimated) looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     std::vector<Appearance> looks;
-    if (adaptive || estimated) looks = appearances(prepared, frames, views, field, looked_at);
-    if (!s.input.adaptive) without_textures(prepared.world.texture_levels, looks);
+    if (adaptive) looks = appearances(prepared, frames, views, field, looked_at);
+    if (!s.input.adaptive) {
+        for (Appearance& look : looks) without_textures(prepared.world.texture_levels, look);
+    }
     s.view = adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks, *adaptive,
                                            s.sampling)
                       : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
-    if (estimated) s.view.sampling_error = sampling_error(s.view, looks, s.input.samples);
+    if (estimated) s.view.samples.assign(s.view.pixels(), float(s.input.samples));
     s.behind =
         behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);

@@ -54,7 +54,7 @@ class NetworkFacets {
         std::vector<double> start{}, end{};          // [K] nodes, then lumps
         double residual = 0.0;                       // [K] |P(T) − T|
         double move = 0.0;                           // [K] of the start after it
-        NetworkCourse course{};  // of the last run
+        NetworkCourse course{};                      // of the last run
         NetworkCount count{};
         bool closed = false;  // may have been the last run
     };

@@ -26,15 +26,7 @@ std::string scene_with(const std::string& stands) {
     text = with(text, "radius_m = 4000.0", "radius_m = 800.0");
     text = with(text, "place_m = [2000.0, 1100.0]", "place_m = [-100.0, -100.0]");
     text = with(text, "frame_every_s = 21600.0", "frames = [\"2026-07-15T12:00:00-04:00\"]");
-    return text + R"(
-[[object]]
-name = "crate"
-mesh = "crate.obj"
-up = "z"
-material = "painted_sheet"
-largest_edge_m = 2.0
-stands = "upright"
-)" + stands;
+    return text + crate_object + "stands = \"upright\"\n" + stands;
 }
 
 struct Solved {

@@ -39,24 +39,17 @@ double seconds_of(StageId stage, const Plan& plan) {
     return seconds;
 }
 
-/// A crate that stops `stops` times on its way.
-std::string crate_on_a_way(int stops) {
+/// A crate that rests in so many places on its way.
+std::string crate_on_a_way(int places_of_rest) {
     std::string places, times;
-    for (int i = 0; i < stops; ++i) {
-        const double rest = 86400.0 / stops;
+    for (int i = 0; i < places_of_rest; ++i) {
+        const double rest = 86400.0 / places_of_rest;
         for (const double when : {i * rest + (i > 0 ? 30.0 : 0.0), (i + 1) * rest - 30.0}) {
             places += "[" + std::to_string(-50 + 4 * i) + ".0, -50.0, 0.0], ";
             times += std::to_string(when) + ", ";
         }
     }
-    return R"(
-[[object]]
-name = "crate"
-mesh = "crate.obj"
-up = "z"
-material = "painted_sheet"
-largest_edge_m = 2.0
-stands = "upright"
+    return crate_object + R"(stands = "upright"
 trajectory = "road"
 [[trajectory]]
 name = "road"

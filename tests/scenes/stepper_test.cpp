@@ -27,14 +27,7 @@ Scene crate_scene(const ScratchFolder& folder, const std::string& way) {
     text = with(text, "place_m = [2000.0, 1100.0]", "place_m = [-100.0, -100.0]");
     text = with(text, "height_above_ground_m = 450.0", "height_above_ground_m = 30.0");
     text = with(text, "look_at_m = [0.0, 0.0]", "look_at_m = [-50.0, -50.0]");
-    write_text(folder.path / "scene.toml", text + R"(
-[[object]]
-name = "crate"
-mesh = "crate.obj"
-up = "z"
-material = "painted_sheet"
-largest_edge_m = 2.0
-trajectory = "road"
+    write_text(folder.path / "scene.toml", text + crate_object + R"(trajectory = "road"
 [[trajectory]]
 name = "road"
 )" + way);

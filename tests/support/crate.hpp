@@ -18,3 +18,14 @@ f 2 3 7 6
 f 3 4 8 7
 f 4 1 5 8
 )";
+
+/// It as an object of sheet, in a scene whose folder has `crate_mesh` as crate.obj; further keys
+/// may follow.
+inline const std::string crate_object = R"(
+[[object]]
+name = "crate"
+mesh = "crate.obj"
+up = "z"
+material = "painted_sheet"
+largest_edge_m = 2.0
+)";

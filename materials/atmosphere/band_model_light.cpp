@@ -23,12 +23,15 @@ struct Nodes {
     std::vector<std::size_t> bin;  // of the node, counted from the first of the range
     BinRange bins;
 
-    explicit Nodes(std::span<const double> node_um) : bins(bins_of(node_um)) {
+    explicit Nodes(std::span<const double> node_um)
+        : bin(bin_of_each(node_um)), bins(bins_of(node_um)) {
+        c1.reserve(node_um.size());
+        c2.reserve(node_um.size());
         for (const double um : node_um) {
             c1.push_back(first_radiation_um / (um * um * um * um * um));
             c2.push_back(second_radiation_um / um);
-            bin.push_back(bin_of(um) - bins.first);
         }
+        for (std::size_t& b : bin) b -= bins.first;
     }
     std::size_t size() const { return bin.size(); }
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace diurna {
 
@@ -14,6 +15,8 @@ std::span<const double> bin_middles_um();
 inline std::size_t bin_count() { return bin_middles_um().size(); }
 /// The bin that holds a wavelength; outside the grid the first or the last bin.
 std::size_t bin_of(double wavelength_um);
+/// The bins of wavelengths, which is fast where they ascend.
+std::vector<std::size_t> bin_of_each(std::span<const double> wavelengths_um);
 
 /// Bins [first, last): computing time is proportional to their number.
 struct BinRange {

@@ -42,7 +42,8 @@ OnwardLight::OnwardLight(const Atmosphere& atmosphere, double height_km, double 
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (model == nullptr || node_um.empty()) return;
     const BinRange bins = bins_of(node_um);
-    for (const double um : node_um) node_bin_.push_back(bin_of(um) - bins.first);
+    node_bin_ = bin_of_each(node_um);
+    for (std::size_t& bin : node_bin_) bin -= bins.first;
     medium_.emplace(*model, bins);
     if (!ends_on_ground(*model, height_km, sun_zenith_deg)) {
         to_sun_ = medium_->none();

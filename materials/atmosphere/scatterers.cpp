@@ -94,11 +94,6 @@ Scatterers scatterers(const Medium& medium, double height_km) {
     return s;
 }
 
-double henyey_greenstein(double g, double cosine) {
-    const double d = 1.0 + g * g - 2.0 * g * cosine;
-    return (1.0 - g * g) / (d * std::sqrt(d));
-}
-
 namespace {
 
 /// (bin) Where its middle lies among the wavelengths of the phase functions.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "materials/atmosphere/medium.hpp"
@@ -20,7 +21,10 @@ struct Scatterers {
 Scatterers scatterers(const Medium& medium, double height_km);
 
 /// Henyey and Greenstein's phase function of mean cosine g, mean 1 over the sphere.
-double henyey_greenstein(double g, double cosine);
+inline double henyey_greenstein(double g, double cosine) {
+    const double d = 1.0 + g * g - 2.0 * g * cosine;
+    return (1.0 - g * g) / (d * std::sqrt(d));
+}
 
 /// Phase function of each part of the scatterers at an angle, (bin).
 std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double cosine);

@@ -242,11 +242,11 @@ SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<cons
     air.model = model;
     air.sun = sun;
     air.bins = bins_of(node_um);
-    for (const double um : node_um) {
-        air.node_bin.push_back(bin_of(um) - air.bins.first);
+    for (const std::size_t bin : bin_of_each(node_um)) {
+        const double um = node_um[air.node_bin.size()];
+        air.node_bin.push_back(bin - air.bins.first);
         // Not 1 for the moon, and for the sun below 0.351 µm.
-        air.node_share.push_back(solar_above_air(um) /
-                                 solar_above_air(bin_middles_um()[bin_of(um)]));
+        air.node_share.push_back(solar_above_air(um) / solar_above_air(bin_middles_um()[bin]));
         if (sun.moon) air.node_share.back() *= moon_over_sun(um, *sun.moon);
     }
     for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {

@@ -32,9 +32,12 @@ struct Passage {
 
     explicit Passage(std::size_t bins) : depth(bins, 0.0), share(bins, 1.0) {}
     void set_share() {
-        for (std::size_t b = 0; b < share.size(); ++b) {
-            depth[b] = depth[b] < dark ? depth[b] : dark;
-            share[b] = depth[b];
+        double *const x = depth.data(), *const out = share.data();
+        const std::size_t count = share.size();
+#pragma omp simd
+        for (std::size_t b = 0; b < count; ++b) {
+            x[b] = x[b] < dark ? x[b] : dark;
+            out[b] = x[b];
         }
         negative_exponentials(share);
     }
@@ -170,66 +173,104 @@ void Gathering::add(double middle_km, double end_km, double length) {
     scatter_once(aerosol, stretch);
     scatter_often(aerosol, stretch);
     if (any_peaked_) thin_peak(aerosol, stretch);
-    for (std::size_t b = 0; b < count_; ++b) peak_seen_[b] += length * aerosol.peak(b);
+    double* const peak = peak_seen_.data();
+    const double *const whole = aerosol.whole.aerosol_extinction.data(), *const scaled =
+                                                                             aerosol.extinction
+                                                                                 .data();
+#pragma omp simd
+    for (std::size_t b = 0; b < count_; ++b) peak[b] += length * (whole[b] - scaled[b]);
     std::swap(both_before_, both_after_);
     std::swap(tau_before_, tau_after_);
 }
 
 void Gathering::scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch) {
+    const double length = stretch.through * stretch.length;
+    const double *const share_before = both_before_.share.data(),
+                        *const share_after = both_after_.share.data(),
+                        *const depth_before = both_before_.depth.data(),
+                        *const depth_after = both_after_.depth.data(),
+                        *const rayleigh = aerosol.whole.rayleigh.data();
+    double *const single = single_.data(), *const by_air = by_air_.data();
+#pragma omp simd
     for (std::size_t b = 0; b < count_; ++b) {
-        single_[b] = stretch.through * stretch.length *
-                     mean_between(both_before_.share[b], both_after_.share[b],
-                                  both_after_.depth[b] - both_before_.depth[b]);
-        by_air_[b] += aerosol.whole.rayleigh[b] * single_[b];
+        single[b] = length *
+                    mean_between(share_before[b], share_after[b], depth_after[b] - depth_before[b]);
+        by_air[b] += rayleigh[b] * single[b];
     }
     for (std::size_t k = 0; k < by_aerosol_.size(); ++k) {
         const std::vector<double>& part = aerosol.whole.part[k];
         if (part.empty()) continue;
         if (by_aerosol_[k].empty()) by_aerosol_[k].assign(count_, 0.0);
-        for (std::size_t b = 0; b < count_; ++b) by_aerosol_[k][b] += part[b] * single_[b];
+        const double* const scattering = part.data();
+        double* const sum = by_aerosol_[k].data();
+#pragma omp simd
+        for (std::size_t b = 0; b < count_; ++b) sum[b] += scattering[b] * single[b];
     }
 }
 
 void Gathering::scatter_often(const ScaledAerosol& aerosol, const Stretch& stretch) {
     const HermiteWeights w = air_.at_height(stretch.height_km);
+    const LevelCurves::Row rising = field_.up.row(w), falling = field_.down.row(w);
+    const double *const share_before = tau_before_.share.data(),
+                        *const share_after = tau_after_.share.data(),
+                        *const depth_before = tau_before_.depth.data(),
+                        *const depth_after = tau_after_.depth.data(),
+                        *const rayleigh = aerosol.whole.rayleigh.data(),
+                        *const scattering = aerosol.scattering.data(),
+                        *const asymmetry = aerosol.asymmetry.data();
+    double *const often = often_.data(), *const by_cosine = by_cosine_.data();
+    const double length = stretch.length;
+#pragma omp simd
     for (std::size_t b = 0; b < count_; ++b) {
-        const double up = field_.up.at(w, b), down = field_.down.at(w, b);
+        const double up = rising[b], down = falling[b];
         // Eddington's radiance, scattered: light that comes down the line moves against it.
         // Asymmetries are below a half, so that it is never negative.
         const double mean_radiance = (up + down) * 0.5 * std::numbers::inv_pi;
         const double tilt = 0.75 * std::numbers::inv_pi * (down - up);
-        const double reach =
-            stretch.length * mean_between(tau_before_.share[b], tau_after_.share[b],
-                                          tau_after_.depth[b] - tau_before_.depth[b]);
-        often_[b] += reach * (aerosol.whole.rayleigh[b] + aerosol.scattering[b]) * mean_radiance;
-        by_cosine_[b] += reach * aerosol.scattering[b] * aerosol.asymmetry[b] * tilt;
+        const double reach = length * mean_between(share_before[b], share_after[b],
+                                                   depth_after[b] - depth_before[b]);
+        often[b] += reach * (rayleigh[b] + scattering[b]) * mean_radiance;
+        by_cosine[b] += reach * scattering[b] * asymmetry[b] * tilt;
     }
 }
 
 void Gathering::thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch) {
-    const HermiteWeights w = air_.at_height(stretch.height_km);
+    const LevelCurves::Row above = air_.peak.row(air_.at_height(stretch.height_km));
+    const double length = stretch.length, lit_length = stretch.through * length;
+    const double *const share_before = both_before_.share.data(),
+                        *const share_after = both_after_.share.data(),
+                        *const depth_before = both_before_.depth.data(),
+                        *const depth_after = both_after_.depth.data(),
+                        *const whole = aerosol.whole.aerosol_extinction.data(),
+                        *const scaled = aerosol.extinction.data(), *const seen = peak_seen_.data(),
+                        *const single = single_.data(),
+                        *const scattering = aerosol.scattering.data(),
+                        *const asymmetry = aerosol.asymmetry.data();
+    double *const thinned = thinned_.data(), *const lobes = lobes_.data();
+#pragma omp simd
     for (std::size_t b = 0; b < count_; ++b) {
-        const double thinner = stretch.length * aerosol.peak(b);
-        const double before = fast_exp(-peak_seen_[b] - air_.peak.at(w, b));
+        const double thinner = length * (whole[b] - scaled[b]);
+        const double before = fast_exp(-seen[b] - above[b]);
         const double after = before * fast_exp(-thinner);
-        thinned_[b] = stretch.through * stretch.length *
-                      mean_between(both_before_.share[b] * before, both_after_.share[b] * after,
-                                   both_after_.depth[b] - both_before_.depth[b] + thinner);
+        thinned[b] = lit_length * mean_between(share_before[b] * before, share_after[b] * after,
+                                               depth_after[b] - depth_before[b] + thinner);
     }
     for (Direction& d : directions_) {
         if (d.peaked <= 0.0) continue;
         std::fill(lobes_.begin(), lobes_.end(), 0.0);
         for (std::size_t k = 0; k < d.phase.size(); ++k) {
             if (aerosol.whole.part[k].empty()) continue;
-            for (std::size_t b = 0; b < count_; ++b) {
-                lobes_[b] += aerosol.whole.part[k][b] * d.phase[k][b];
-            }
+            const double *const part = aerosol.whole.part[k].data(), *const phase =
+                                                                         d.phase[k].data();
+#pragma omp simd
+            for (std::size_t b = 0; b < count_; ++b) lobes[b] += part[b] * phase[b];
         }
         const double turn = d.turn;
+        double* const excess = d.excess.data();
+#pragma omp simd
         for (std::size_t b = 0; b < count_; ++b) {
-            const double smooth =
-                aerosol.scattering[b] * henyey_greenstein(aerosol.asymmetry[b], turn);
-            d.excess[b] += std::max(0.0, lobes_[b] - smooth) * (thinned_[b] - single_[b]);
+            const double peak = lobes[b] - scattering[b] * henyey_greenstein(asymmetry[b], turn);
+            excess[b] += (peak > 0.0 ? peak : 0.0) * (thinned[b] - single[b]);
         }
     }
 }

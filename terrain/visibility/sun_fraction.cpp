@@ -91,6 +91,8 @@ void sample(const SunOverScene& over, std::span<const std::uint32_t> chosen,
     for (const std::uint32_t f : chosen) fraction[f] = 0.0f;
     for_each_block(chosen.size(), facets_per_sun_block, [&](std::size_t begin, std::size_t end) {
         SunRays sun(over.facets, over.direction, over.options, samples, first);
+        sun.rays.reserve((end - begin) * std::size_t(samples));
+        sun.owner.reserve(sun.rays.capacity());
         for (std::size_t k = begin; k < end; ++k) sun.append(chosen[k]);
         std::vector<float> share(sun.rays.size());
         over.scene.beam(sun.rays, share);

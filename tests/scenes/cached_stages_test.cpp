@@ -140,7 +140,8 @@ TEST_CASE("a changed file of the cache is skipped", "[scenes][cache]") {
 TEST_CASE("a cache keeps within its size, what was used last remains", "[scenes][cache]") {
     const ScratchFolder folder("kept_stages");
     const StageStore store(folder.path / "kept", {.least_seconds = 0.0, .most_bytes = 4000});
-    const std::string content(900, 'x');
+    const std::string text(900, 'x');
+    const std::string_view content = text;
     const auto age = [&](const char* key, int hours) {
         for (const auto& entry : fs::directory_iterator(store.folder())) {
             if (entry.path().filename().string().find(key) == std::string::npos) continue;

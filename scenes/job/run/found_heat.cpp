@@ -67,8 +67,9 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
     SceneHeat heat{.result = std::move(solved), .report = std::move(report)};
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
-        store->keep(stage, key,
-                    bytes_of(FoundHeat{heat.result.temperature, as_messages(heat.report)}));
+        FoundHeat found{std::move(heat.result.temperature), as_messages(heat.report)};
+        store->keep(stage, key, content_of(found));
+        heat.result.temperature = std::move(found.temperature);
     }
     return heat;
 }

@@ -14,7 +14,7 @@ namespace diurna {
 ///
 /// - store: null: no cache
 /// - key: () of all inputs; called if there is a store
-/// - read: (bytes) inverse of bytes_of()
+/// - read: (bytes) inverse of content_of()
 template <class T, class Key, class Read, class Find>
 T cached_or_computed(const StageStore* store, std::string_view stage, const Key& key,
                      const Read& read, const Find& find) {
@@ -27,7 +27,7 @@ T cached_or_computed(const StageStore* store, std::string_view stage, const Key&
     const auto begun = std::chrono::steady_clock::now();
     T found = find();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    if (store->keeps(took.count())) store->keep(stage, name, bytes_of(found));
+    if (store->keeps(took.count())) store->keep(stage, name, content_of(found));
     return found;
 }
 

@@ -38,11 +38,17 @@ std::string sha256(std::string_view text) {
     return digest.finish();
 }
 
+std::string sha256(std::span<const std::string_view> pieces) {
+    Sha256 digest;
+    for (const std::string_view piece : pieces) digest.add(piece);
+    return digest.finish();
+}
+
 std::string sha256_of_file(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
     Sha256 digest;
-    std::vector<char> block(1 << 20);
+    static thread_local std::vector<char> block(1 << 20);
     while (stream.read(block.data(), static_cast<std::streamsize>(block.size())),
            stream.gcount() > 0) {
         digest.add({block.data(), static_cast<std::size_t>(stream.gcount())});

@@ -16,10 +16,14 @@ namespace {
 // `fields` of a type writes and reads it, by one of these.
 
 struct Writer {
-    std::string bytes{};
+    StageContent content{};
 
+    /// Sizes and single values are often of a moment only: copied.
     void piece(const void* from, std::size_t size) {
-        bytes.append(static_cast<const char*>(from), size);
+        constexpr std::size_t small = 64;
+        std::string_view bytes(static_cast<const char*>(from), size);
+        if (size <= small) bytes = content.small.emplace_back(bytes);
+        content.piece.push_back(bytes);
     }
     /// Writes an array's size.
     template <class Array>
@@ -117,10 +121,10 @@ void fields(Archive& archive, FoundHeat& heat) {
 }
 
 template <class T>
-std::string written(const T& what) {
+StageContent written(const T& what) {
     Writer archive;
     fields(archive, const_cast<T&>(what));  // one template reads and writes; a writer only reads
-    return std::move(archive.bytes);
+    return std::move(archive.content);
 }
 
 template <class T>
@@ -133,9 +137,9 @@ T read(const std::string& bytes) {
 
 }  // namespace
 
-std::string bytes_of(const FacetViews& views) { return written(views); }
-std::string bytes_of(const SunExposure& sun) { return written(sun); }
-std::string bytes_of(const FoundHeat& heat) { return written(heat); }
+StageContent content_of(const FacetViews& views) { return written(views); }
+StageContent content_of(const SunExposure& sun) { return written(sun); }
+StageContent content_of(const FoundHeat& heat) { return written(heat); }
 
 FacetViews views_of(const std::string& bytes) { return read<FacetViews>(bytes); }
 SunExposure sun_of(const std::string& bytes) { return read<SunExposure>(bytes); }

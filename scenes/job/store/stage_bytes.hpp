@@ -3,12 +3,13 @@
 #include <string>
 
 #include "scenes/job/store/messages.hpp"
+#include "scenes/job/store/stage_store.hpp"
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
 
 /// Results of stages as bytes, for a cache on the same machine, and back, without loss. Reading
-/// throws std::exception if the bytes are too few.
+/// throws std::exception if the bytes are too few. What is written refers to the result.
 namespace diurna {
 
 /// Temperatures, and the messages of their computation.
@@ -17,9 +18,9 @@ struct FoundHeat {
     Messages reported;
 };
 
-std::string bytes_of(const FacetViews& views);
-std::string bytes_of(const SunExposure& sun);
-std::string bytes_of(const FoundHeat& heat);
+StageContent content_of(const FacetViews& views);
+StageContent content_of(const SunExposure& sun);
+StageContent content_of(const FoundHeat& heat);
 
 FacetViews views_of(const std::string& bytes);
 SunExposure sun_of(const std::string& bytes);

@@ -22,7 +22,8 @@ constexpr const char* extension = ".stage";
 
 /// What stands before the content: whose it is, so that a file under another's name is none, and
 /// its digest.
-std::string header_of(std::string_view stage, const std::string& key, std::string_view content) {
+std::string header_of(std::string_view stage, const std::string& key,
+                      std::span<const std::string_view> content) {
     return fmt::format("{}-{}\n{}\n", stage, key, sha256(content));
 }
 
@@ -32,6 +33,12 @@ std::string text_of(const char* variable) {
 }
 
 }  // namespace
+
+std::uintmax_t StageContent::size() const {
+    std::uintmax_t sum = 0;
+    for (const std::string_view of : piece) sum += of.size();
+    return sum;
+}
 
 StageStore::StageStore(fs::path folder) : StageStore(std::move(folder), Limits{}) {}
 
@@ -67,13 +74,14 @@ std::optional<std::string> StageStore::find(std::string_view stage, const std::s
     std::error_code ignored;
     if (!fs::is_regular_file(fs::symlink_status(path, ignored))) return std::nullopt;
     const std::uintmax_t size = fs::file_size(path, ignored);
-    std::string header = header_of(stage, key, "");
+    std::string header = header_of(stage, key, {});
     if (ignored || size < header.size() || size > limits_.most_bytes) return std::nullopt;
     std::string content(size - header.size(), '\0');
     std::ifstream stream(path, std::ios::binary);
     stream.read(header.data(), std::streamsize(header.size()));
     stream.read(content.data(), std::streamsize(content.size()));
-    if (!stream || header != header_of(stage, key, content)) return std::nullopt;
+    const std::string_view whole = content;
+    if (!stream || header != header_of(stage, key, {&whole, 1})) return std::nullopt;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // asked for now
     return content;
 }
@@ -85,14 +93,18 @@ void StageStore::note_taken(std::string_view stage, const std::string& key) cons
 }
 
 void StageStore::keep(std::string_view stage, const std::string& key,
-                      std::string_view content) const {
-    if (content.size() > limits_.most_bytes / 4) return;
+                      const StageContent& content) const {
+    const std::uintmax_t size = content.size();
+    if (size > limits_.most_bytes / 4) return;
     if (folder_.empty()) {
         const std::lock_guard lock(telling_);
-        std::uintmax_t sum = content.size();
+        std::uintmax_t sum = size;
         for (const auto& [name, bytes] : held_) sum += bytes.size();
         if (sum > limits_.most_bytes) return;
-        held_.insert_or_assign(fmt::format("{}-{}", stage, key), std::string(content));
+        std::string whole;
+        whole.reserve(size);
+        for (const std::string_view piece : content.piece) whole += piece;
+        held_.insert_or_assign(fmt::format("{}-{}", stage, key), std::move(whole));
         return;
     }
     try {
@@ -100,9 +112,11 @@ void StageStore::keep(std::string_view stage, const std::string& key,
             fs::permissions(folder_, fs::perms::owner_all);
         }
         UnfinishedFile whole(file(stage, key));
-        const std::string header = header_of(stage, key, content);
+        const std::string header = header_of(stage, key, content.piece);
         whole.write(std::as_bytes(std::span(header)));
-        whole.write(std::as_bytes(std::span(content)));
+        for (const std::string_view piece : content.piece) {
+            whole.write(std::as_bytes(std::span(piece)));
+        }
         whole.rename();
         {
             const std::lock_guard lock(telling_);

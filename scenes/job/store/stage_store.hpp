@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -11,6 +12,18 @@
 #include <vector>
 
 namespace diurna {
+
+/// Bytes to be stored, in pieces that refer to a result, which is to outlive them: a result of
+/// gigabytes is not held twice.
+struct StageContent {
+    std::vector<std::string_view> piece;
+    std::deque<std::string> small;  // pieces that no result holds
+
+    StageContent() = default;
+    StageContent(std::string_view whole) : piece{whole} {}
+    StageContent(StageContent&&) = default;  // a copy would refer to another's `small`
+    std::uintmax_t size() const;
+};
 
 /// Cache of stages' results, each with a key from all its inputs: a folder shared by runs of
 /// any scene. A file counts only if it contains its key and the digest of its content is
@@ -39,7 +52,7 @@ class StageStore {
     /// Whether a result that took this long should be stored.
     bool keeps(double seconds) const { return seconds >= limits_.least_seconds; }
     /// Stores it. Never throws: a result that cannot be stored is recomputed next time.
-    void keep(std::string_view stage, const std::string& key, std::string_view content) const;
+    void keep(std::string_view stage, const std::string& key, const StageContent& content) const;
 
     /// Records that a result of find() was used, unless it was stored by this run itself.
     void note_taken(std::string_view stage, const std::string& key) const;

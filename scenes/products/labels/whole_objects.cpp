@@ -64,7 +64,13 @@ std::map<int, WholeObject> whole_objects(const FacetSet& facets, const FacetSet&
     };
     for (std::size_t id = 0; id < objects.size(); ++id) {
         if (of_object[id].empty()) continue;
-        add(id, some_facets(facets, of_object[id]), some_facets(stands, of_object[id]));
+        const FacetSet part = some_facets(facets, of_object[id]);
+        // The ground of a large scene is not copied twice.
+        if (&stands == &facets) {
+            add(id, part, part);
+        } else {
+            add(id, part, some_facets(stands, of_object[id]));
+        }
     }
     for (std::size_t c = 0; c < copies.size(); ++c) {
         const auto id = static_cast<std::size_t>(copies[c].object);

@@ -64,8 +64,8 @@ PROBES = [
     ("cast_per_ray", "views", observer(1280, 1024), SUMMER, 1800, "grass"),
     ("render_per_pixel", "frames", observer(1280, 1024), SUMMER, 1800, "grass"),
     ("air_per_band", "frames", observer(32, 24, '["08:00-17:00 every 1 h"]'), SUMMER, 1800, "grass"),
-    ("hop_per_ray", "views", POND + observer(320, 256), SUMMER, 1800, "grass"),
-    ("hop_per_root", "frames", POND + observer(320, 256), SUMMER, 1800, "grass"),
+    ("secondary_per_ray", "views", POND + observer(320, 256), SUMMER, 1800, "grass"),
+    ("secondary_per_hit", "frames", POND + observer(320, 256), SUMMER, 1800, "grass"),
     ("annotate_per_pixel", "report", observer(1280, 1024), SUMMER, 1800, "grass"),
 ]
 

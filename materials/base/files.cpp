@@ -1,5 +1,9 @@
 #include "materials/base/files.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -61,6 +65,26 @@ void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs
         throw InputError(path.string(), "is an input of this run and would be overwritten",
                          "choose another name");
     }
+}
+
+std::string why_no_output_folder(const fs::path& folder) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(folder, problem);
+    if (!fs::exists(status) && fs::is_symlink(fs::symlink_status(folder, problem))) {
+        return "is a broken symbolic link";
+    }
+    if (fs::exists(status) && !fs::is_directory(status)) return "is not a folder";
+    fs::path there = fs::absolute(folder).lexically_normal();
+    while (!fs::exists(there, problem) && there != there.parent_path()) {
+        there = there.parent_path();
+    }
+    if (!fs::is_directory(there, problem)) {
+        return "cannot be created: " + there.string() + " is not a folder";
+    }
+    if (::access(there.c_str(), W_OK | X_OK) == 0) return "";
+    const std::string reason = std::strerror(errno);
+    return fs::exists(status) ? "cannot be written to: " + reason
+                              : "cannot be created in " + there.string() + ": " + reason;
 }
 
 }  // namespace diurna

@@ -29,4 +29,8 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text);
 /// one of the `inputs` of the results; or its folder does not exist.
 void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
 
+/// Why results cannot be written into a folder, which need not exist: it or one above is not a
+/// folder, or may not be written to; "" if they can. Writes nothing.
+std::string why_no_output_folder(const std::filesystem::path& folder);
+
 }  // namespace diurna

@@ -81,11 +81,10 @@ bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const Secondary
 /// (index among the pixels asked) whether lobes are to have more rays there: where one met a facet,
 /// and the pixels about it, so that the choice depends little on chance.
 std::vector<bool> near_in_lobes(std::span<const AskedPixel> pixels, std::size_t width,
-                                const std::vector<std::vector<SecondaryRay>>& found,
-                                const SecondaryScene& scene) {
+                                std::span<const WalkedPixel> found, const SecondaryScene& scene) {
     std::vector<std::uint32_t> met;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-        if (meets_in_lobe(found[k], scene)) met.push_back(pixels[k].pixel);
+        if (meets_in_lobe(found[k].seen, scene)) met.push_back(pixels[k].pixel);
     }
     std::vector<bool> near(pixels.size(), false);
     const auto mark = [&](std::size_t pixel) {
@@ -144,7 +143,7 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
         with_textures.textured = &*textured;
     }
     const PixelWalks walks{with_textures, observer, eye, options, sampling};
-    std::vector<std::vector<SecondaryRay>> found(asked.size());
+    std::vector<WalkedPixel> found(asked.size());
     std::vector<int> wanted(asked.size());
     for_each_index(
         asked.size(), [&](std::size_t k) { found[k] = walks.first(asked[k], wanted[k]); }, 16);
@@ -155,15 +154,17 @@ SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observe
         asked.size(),
         [&](std::size_t k) {
             if (!near[k] && wanted[k] <= first) return;
-            std::vector<SecondaryRay> more = walks.all(asked[k], wanted[k], near[k]);
-            if (!more.empty()) found[k] = std::move(more);
+            WalkedPixel more = walks.all(asked[k], wanted[k], near[k]);
+            found[k].rays += more.rays;
+            if (!more.seen.empty()) found[k].seen = std::move(more.seen);
         },
         16);
     for (std::size_t k = 0; k < found.size(); ++k) {
-        if (found[k].empty()) continue;
+        secondary_rays.rays += found[k].rays;
+        const std::vector<SecondaryRay>& seen = found[k].seen;
+        if (seen.empty()) continue;
         secondary_rays.pixel.push_back(asked[k].pixel);
-        secondary_rays.secondary.insert(secondary_rays.secondary.end(), found[k].begin(),
-                                        found[k].end());
+        secondary_rays.secondary.insert(secondary_rays.secondary.end(), seen.begin(), seen.end());
         secondary_rays.row.push_back(static_cast<std::uint32_t>(secondary_rays.secondary.size()));
     }
     take_out(secondary_rays.pixel, view);

@@ -31,11 +31,6 @@ int lattice_step(int samples) {
     return step;
 }
 
-struct Walked {
-    std::vector<SecondaryRay> seen{};  // merged
-    int met = 0;                       // samples that were followed
-};
-
 /// Whether a sample only meets what the view knows the share of.
 bool known(const SecondaryScene& scene, const AskedPixel& asked,
            std::span<const SecondaryRay> sample) {
@@ -45,14 +40,14 @@ bool known(const SecondaryScene& scene, const AskedPixel& asked,
 }
 
 /// - values: what each sample that is followed shows; null, or no sampling: not requested
-Walked follow(const PixelWalks& walks, const AskedPixel& asked, int samples, int lobe_rays,
-              std::uint64_t seed, std::vector<double>* values) {
+WalkedPixel follow(const PixelWalks& walks, const AskedPixel& asked, int samples, int lobe_rays,
+                   std::uint64_t seed, std::vector<double>* values) {
     const auto& [scene, observer, eye, options, sampling] = walks;
     const std::size_t p = asked.pixel;
     const auto [columns, rows] = nearly_square(samples);
     const auto width = static_cast<std::size_t>(observer.width);
     std::vector<SecondaryRay> sample;
-    Walked walked;
+    WalkedPixel walked;
     std::vector<SecondaryRay>& seen = walked.seen;
     RandomStream of_pixel{(seed << 32) + p};
     const double offset = of_pixel();
@@ -67,15 +62,16 @@ Walked follow(const PixelWalks& walks, const AskedPixel& asked, int samples, int
         const double when = exposed(std::size_t(s), offset);
         const int point = s * step % samples;
         sample.clear();
-        walk(scene,
-             {.origin = observer.position + eye.start(column, row, when),
-              .direction = eye.towards(column, row, when),
-              .weight = 1.0f / static_cast<float>(samples),
-              .lobe = {.count = lobe_rays,
-                       .first = {fraction(turn[0] + double(point) / (samples * lobe_rays)),
-                                 fraction(turn[1] + point * golden_section)},
-                       .step = {1.0 / lobe_rays, samples * golden_section}}},
-             chance, sample);
+        walked.rays +=
+            walk(scene,
+                 {.origin = observer.position + eye.start(column, row, when),
+                  .direction = eye.towards(column, row, when),
+                  .weight = 1.0f / static_cast<float>(samples),
+                  .lobe = {.count = lobe_rays,
+                           .first = {fraction(turn[0] + double(point) / (samples * lobe_rays)),
+                                     fraction(turn[1] + point * golden_section)},
+                           .step = {1.0 / lobe_rays, samples * golden_section}}},
+                 chance, sample);
         if (known(scene, asked, sample)) continue;
         ++walked.met;
         if (values && sampling) sample_values(scene, sample, sampling->appearances, *values);
@@ -101,18 +97,20 @@ Walked follow(const PixelWalks& walks, const AskedPixel& asked, int samples, int
 
 }  // namespace
 
-std::vector<SecondaryRay> PixelWalks::first(const AskedPixel& asked, int& wanted) const {
+WalkedPixel PixelWalks::first(const AskedPixel& asked, int& wanted) const {
     wanted = sampling ? sampling->options.from : options.samples;
     const int most = sampling ? sampling->options.to : most_of_first * wanted;
     std::vector<double> values;
-    Walked walked = follow(*this, asked, wanted, 1, options.seed, &values);
+    WalkedPixel walked = follow(*this, asked, wanted, 1, options.seed, &values);
     // What covers little of a pixel may be missed.
     while (walked.met < least_met && 2 * wanted <= most) {
         wanted *= 2;
         values.clear();
+        const std::uint64_t before = walked.rays;
         walked = follow(*this, asked, wanted, 1, options.seed, &values);
+        walked.rays += before;
     }
-    if (sampling == nullptr || walked.seen.empty()) return walked.seen;
+    if (sampling == nullptr || walked.seen.empty()) return walked;
     // The share is known: only what differs within it matters.
     const double share = double(walked.met) / wanted;
     SecondarySampling within = *sampling;
@@ -120,14 +118,13 @@ std::vector<SecondaryRay> PixelWalks::first(const AskedPixel& asked, int& wanted
     within.options.to = static_cast<int>(share * most);
     within.options.tolerance /= share;
     wanted *= std::max(1, samples_wanted(values, within) / walked.met);
-    return walked.seen;
+    return walked;
 }
 
-std::vector<SecondaryRay> PixelWalks::all(const AskedPixel& asked, int samples, bool many) const {
+WalkedPixel PixelWalks::all(const AskedPixel& asked, int samples, bool many) const {
     const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
     return follow(*this, asked, samples, many ? std::min(most_lobe_rays, wanted) : 1,
-                  options.seed + golden_step, nullptr)
-        .seen;
+                  options.seed + golden_step, nullptr);
 }
 
 }  // namespace diurna

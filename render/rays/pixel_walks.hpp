@@ -18,6 +18,13 @@ struct AskedPixel {
     PixelShares shares{};  // empty near a plume, which all its rays may pass
 };
 
+/// What samples of a pixel meet.
+struct WalkedPixel {
+    std::vector<SecondaryRay> seen{};  // merged
+    int met = 0;                       // samples that were followed
+    std::uint64_t rays = 0;            // traced
+};
+
 /// The rays of pixels, followed.
 struct PixelWalks {
     const SecondaryScene& scene;
@@ -28,11 +35,11 @@ struct PixelWalks {
 
     /// What a pixel's first samples meet, merged; empty where they meet what the view has already.
     /// And how many samples the pixel wants.
-    std::vector<SecondaryRay> first(const AskedPixel& asked, int& wanted) const;
+    WalkedPixel first(const AskedPixel& asked, int& wanted) const;
     /// What as many samples as it wants meet.
     ///
     /// - many: rays into lobes
-    std::vector<SecondaryRay> all(const AskedPixel& asked, int samples, bool many) const;
+    WalkedPixel all(const AskedPixel& asked, int samples, bool many) const;
 };
 
 }  // namespace diurna

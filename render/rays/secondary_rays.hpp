@@ -38,6 +38,7 @@ struct SecondaryRays {
     std::vector<std::uint32_t> row;  // (pixel + 1) secondary rays of pixel k: [row[k], row[k + 1])
     std::vector<SecondaryRay> secondary;  // of a pixel: each before those behind it
     double observer_height = 0.0;         // [m] above the origin's level surface
+    std::uint64_t rays = 0;               // traced to find them
 
     bool empty() const { return secondary.empty(); }
     std::span<const SecondaryRay> of(std::size_t k) const {

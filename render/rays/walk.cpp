@@ -38,6 +38,8 @@ class Walk {
          std::vector<SecondaryRay>& out)
         : scene_(scene), from_(from), chance_(chance), out_(out) {}
 
+    std::uint32_t traced() const { return traced_; }
+
     void follow(Walker walker) {
         for (;;) {
             const Ray ray{.origin = walker.origin.cast<float>(),
@@ -45,6 +47,7 @@ class Walk {
                           .direction = walker.direction.cast<float>()};
             Hit hit;
             scene_.rays.closest({&ray, 1}, {&hit, 1});
+            ++traced_;
             const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
             add_plumes(walker, far);
             if (hit.facet == no_facet) {
@@ -185,14 +188,16 @@ class Walk {
     const EyeRay& from_;
     RandomStream& chance_;
     std::vector<SecondaryRay>& out_;
+    std::uint32_t traced_ = 0;
 };
 
 }  // namespace
 
-void walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
-          std::vector<SecondaryRay>& out) {
-    Walk(scene, ray, chance, out)
-        .follow({.origin = ray.origin, .direction = ray.direction, .weight = ray.weight});
+std::uint32_t walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
+                   std::vector<SecondaryRay>& out) {
+    Walk walk(scene, ray, chance, out);
+    walk.follow({.origin = ray.origin, .direction = ray.direction, .weight = ray.weight});
+    return walk.traced();
 }
 
 }  // namespace diurna

@@ -53,7 +53,9 @@ struct EyeRay {
 /// transmit their own temperature. A textured facet at the end of a ray becomes two
 /// secondary rays that share the weight; if rays continue behind it, one of its two
 /// surfaces at random.
-void walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
-          std::vector<SecondaryRay>& out);
+///
+/// - returns the number of rays traced, the eye's included
+std::uint32_t walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
+                   std::vector<SecondaryRay>& out);
 
 }  // namespace diurna

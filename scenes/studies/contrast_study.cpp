@@ -1,6 +1,7 @@
 #include "scenes/studies/contrast_study.hpp"
 
 #include <fmt/format.h>
+#include <utility>
 
 #include "materials/base/number_of.hpp"
 #include "scenes/job/run/picture_shares.hpp"
@@ -63,7 +64,9 @@ std::vector<std::string> own_notes(const ContrastInput& input, const ContrastRep
 }  // namespace
 
 StudyFindings contrast_study(const StudyRequest& request) {
-    Study study(request.read(), request.progress);
+    Scene read = request.read();
+    check_asked(request, read, "contrast", names_of(read.contrasts));
+    Study study(std::move(read), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "contrast", names_of(scene.contrasts));
     const TemperatureField field =

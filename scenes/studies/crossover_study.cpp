@@ -91,6 +91,7 @@ std::vector<std::string> own_notes(const CrossoverInput& input, const CrossoverR
 
 StudyFindings crossover_study(const StudyRequest& request) {
     Scene read = request.read();
+    check_asked(request, read, "crossover", names_of(read.crossovers), "_curves");
     read.time.every_step = true;
     Study study(std::move(read), request.progress);
     const Scene& scene = study.scene();

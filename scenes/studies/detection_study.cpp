@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scenes/studies/detection_files.hpp"
 #include "terrain/place/local_time.hpp"
@@ -61,7 +62,9 @@ std::vector<std::string> own_notes(const DetectionInput& input,
 }  // namespace
 
 StudyFindings detection_study(const StudyRequest& request) {
-    Study study(request.read(), request.progress);
+    Scene read = request.read();
+    check_asked(request, read, "detection", names_of(read.detections));
+    Study study(std::move(read), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "detection", names_of(scene.detections));
     const TemperatureField field =

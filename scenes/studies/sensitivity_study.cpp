@@ -53,6 +53,7 @@ std::string reported(const SensitivityInput& input, const SensitivityReport& rep
 
 StudyFindings sensitivity_study(const StudyRequest& request) {
     Scene read = request.read();
+    check_asked(request, read, "sensitivity", names_of(read.sensitivities));
     read.time.every_step = true;
     Study study(std::move(read), request.progress);
     const Scene& scene = study.scene();

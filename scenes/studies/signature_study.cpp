@@ -1,6 +1,7 @@
 #include "scenes/studies/signature_study.hpp"
 
 #include <fmt/format.h>
+#include <utility>
 
 #include "materials/base/number_of.hpp"
 #include "scenes/studies/signature_files.hpp"
@@ -32,7 +33,9 @@ std::vector<std::string> own_notes(const SignatureInput& input, const SignatureR
 }  // namespace
 
 StudyFindings signature_study(const StudyRequest& request) {
-    Study study(request.read(), request.progress);
+    Scene read = request.read();
+    check_asked(request, read, "signature", names_of(read.signatures));
+    Study study(std::move(read), request.progress);
     const Scene& scene = study.scene();
     check_asked(request, scene, "signature", names_of(scene.signatures));
     const TemperatureField field =

@@ -19,11 +19,11 @@ std::string StudyTexts::endings() const {
 
 void check_study_files(const fs::path& out, const std::vector<std::string>& names,
                        const std::vector<FileRead>& inputs) {
+    if (const std::string why = why_no_output_folder(out); !why.empty()) {
+        throw InputError(out.string(), why, "expected a folder or a new name for the results");
+    }
     std::error_code none;
     if (!fs::exists(out, none)) return;
-    if (!fs::is_directory(out, none)) {
-        throw InputError(out.string(), "is not a folder, expected a folder for the results");
-    }
     for (const std::string& name : names) {
         for (const char* ending : {".csv", ".json", ".svg"}) {
             check_output_file(out / (name + ending), inputs);

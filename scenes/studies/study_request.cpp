@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/job/store/digest.hpp"
+#include "scenes/job/store/inputs.hpp"
 
 namespace diurna {
 
@@ -21,7 +22,7 @@ void check_asked(const StudyRequest& request, const Scene& scene, const char* ki
     if (more != nullptr) {
         for (const std::string& name : names) files.push_back(name + more);
     }
-    check_study_files(request.out, files, scene.files);
+    check_study_files(request.out, files, merged(scene.files, named_inputs(scene)));
 }
 
 void finish_findings(const StudyRequest& request, StudyFindings& findings) {

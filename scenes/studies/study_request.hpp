@@ -46,9 +46,9 @@ struct StudyFindings {
 void finish_findings(const StudyRequest& request, StudyFindings& findings);
 
 /// Throws InputError if there is no table of the kind, or its files cannot be written
-/// (check_study_files): before anything is computed.
+/// (check_study_files). Called as soon as the scene is read, and again with the files that were
+/// opened to prepare it.
 ///
-/// - kind: "crossover"; names: of its tables; more: endings of further files
 /// - kind: "crossover"; names: of its tables; more: what follows a name in further files of it
 void check_asked(const StudyRequest& request, const Scene& scene, const char* kind,
                  const std::vector<std::string>& names, const char* more = nullptr);

@@ -130,6 +130,10 @@ targets = ["plate"]
     CAPTURE(text);
     CHECK(text.find("diurna crossover") < text.find("3 solves"));
     CHECK(text.find("8 solves or more") != std::string::npos);
+    // Their pictures are in the time: of a crossover the band at every step.
+    CHECK(text.find("besides pictures") == std::string::npos);
+    REQUIRE(solves[0].kind == "crossover");
+    CHECK(solves[0].pictures > double(prepared.plan.steps.size()));
 
     std::vector<std::string> stages;
     StudyRequest asked{.scene = folder.path / "scene.toml"};

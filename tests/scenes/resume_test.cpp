@@ -19,6 +19,7 @@
 #include "scenes/job/store/inputs.hpp"
 #include "tests/support/differing.hpp"
 #include "tests/support/folder_contents.hpp"
+#include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
 // What a run finds in its folder counts only if it is what a run of the same inputs has written
@@ -178,6 +179,37 @@ TEST_CASE("every file that a scene is made of is in the key", "[resume]") {
     const Scene scene = prepare(read_scene(place.scene)).scene;
     write_text(place.folder.path / "paint.csv", "wavelength_um,reflectance\n0.3,0.2\n20,0.05\n");
     CHECK_THROWS_WITH(run_inputs(scene), Catch::Contains("paint.csv: changed while"));
+}
+
+TEST_CASE("a folder is refused before the scene is built", "[resume]") {
+    const Place place;
+    write_text(place.folder.path / "elevation.tif", "no raster");
+    const fs::path out = place.folder.path / "out", file = place.folder.path / "weather.csv";
+    const auto refused = [&](const fs::path& folder, const std::string& more = "") {
+        const Ran got = ran("'" DIURNA_BINARY "' run '" + place.scene.string() + "' --out '" +
+                            folder.string() + "' " + more + " 2>&1");
+        CAPTURE(got.out);
+        CHECK(got.code == 2);
+        CHECK(std::count(got.out.begin(), got.out.end(), '\n') == 1);
+        return got.out;
+    };
+    CHECK(refused(file).find("is not a folder") != std::string::npos);
+    CHECK(refused(file / "in").find("cannot be created") != std::string::npos);
+    CHECK(refused(place.folder.path).find("not results of a run") != std::string::npos);
+    fs::create_directories(out / "frames");
+    write_text(out / "manifest.json", R"({"program": "diurna", "outputs": {}})");
+    write_text(out / "frames/mine.exr", "x");
+    CHECK(refused(out).find("mine.exr, which was not written") != std::string::npos);
+    CHECK(refused(out, "--from '" + out.string() + "'").find("--from") != std::string::npos);
+    fs::remove(out / "frames/mine.exr");
+    const int held = ::open(out.c_str(), O_RDONLY | O_DIRECTORY);
+    REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
+    CHECK(refused(out).find("is in use by another run") != std::string::npos);
+    ::close(held);
+    CHECK(contents(out).size() == 1);
+    // A free folder: then what is wrong with the scene is reported.
+    CHECK(refused(place.folder.path / "new").find("elevation.tif") != std::string::npos);
+    CHECK_FALSE(fs::exists(place.folder.path / "new"));
 }
 
 TEST_CASE("a folder is one run's alone", "[resume]") {

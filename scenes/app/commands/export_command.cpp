@@ -13,6 +13,7 @@
 #include "materials/base/number_of.hpp"
 #include "scenes/app/commands/printed_lines.hpp"
 #include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/store/inputs.hpp"
 #include "scenes/products/export/coloured_ply.hpp"
 #include "scenes/products/export/curve_csv.hpp"
 #include "scenes/products/export/heat_raster.hpp"
@@ -50,17 +51,6 @@ void check_arguments(const ExportArguments& a) {
     }
 }
 
-/// What a scene names, though it is not opened here.
-std::vector<FileRead> files_named_in(const Scene& scene) {
-    std::vector<FileRead> files;
-    for (const auto& file : scene.weather.files) files.push_back({.path = file});
-    for (const ObjectInput& object : scene.terrain.objects) {
-        files.push_back({.path = object.file});
-        files.push_back({.path = object.copies_file});
-    }
-    return files;
-}
-
 void export_verb(const ExportArguments& a) {
     check_arguments(a);
     const FilesRead opened;
@@ -85,14 +75,14 @@ void export_verb(const ExportArguments& a) {
     } else if (a.to == "geotiff") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
-        check_output_file(a.out, files_named_in(scene));
+        check_output_file(a.out, named_inputs(scene));
         const std::size_t posts = write_heat_geotiff(a.out, heat, scene, instants);
         fmt::print("{}, {}: {}\n", number_of(posts, "post"), number_of(instants.size(), "instant"),
                    out);
     } else if (a.to == "kmz") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
-        check_output_file(a.out, files_named_in(scene));
+        check_output_file(a.out, named_inputs(scene));
         const ColourScale scale = write_kmz(a.out, heat, scene, instants);
         fmt::print("{}, {:g} to {:g} degC: {}\n", number_of(instants.size(), "instant"), scale.low,
                    scale.high, out);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
 #include "materials/matter/read_library.hpp"
 #include "render/picture/exr.hpp"
@@ -44,10 +45,11 @@ void check_reshade(const ReshadeArguments& a) {
     if (!a.paint.empty() && (a.emissivity || a.reflectance)) {
         throw InputError("--paint", "cannot be combined with --emissivity or --reflectance");
     }
-    std::error_code none;
-    if (fs::exists(a.out, none) && !fs::is_directory(a.out, none)) {
-        throw InputError("--out", fmt::format("{} is a file, expected a folder", a.out.string()));
+    if (const std::string why = why_no_output_folder(a.out); !why.empty()) {
+        throw InputError("--out", fmt::format("{} {}", a.out.string(), why),
+                         "expected a folder or a new name");
     }
+    std::error_code none;
     for (const fs::path& own : {a.folder, a.folder / "frames"}) {
         if (fs::equivalent(a.out, own, none)) {
             throw InputError("--out", fmt::format("{} holds the run's own pictures, expected "

@@ -34,6 +34,14 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     Scene scene = a.read();
     job.sweep = !scene.sweep.axes.empty();
     check_run_folder(s.out, job.sweep ? FolderKind::sweep : FolderKind::run);
+    job.work = fs::absolute(s.scripts).lexically_normal();
+    if (const std::string why = why_no_output_folder(job.work); !why.empty()) {
+        throw InputError("--scripts", job.work.string() + " " + why);
+    }
+    if (fs::exists(job.work) && !fs::is_empty(job.work)) {
+        throw InputError("--scripts", job.work.string() + " exists and is not empty",
+                         "expected a new folder for scripts, logs and shards");
+    }
     std::size_t things = 0;
     if (job.sweep)
         things = read_sweep_variants(a.scene, a.settings, a.allow_outside).variants.size();
@@ -47,11 +55,6 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     job.program = fs::read_symlink("/proc/self/exe");
     job.scene = fs::absolute(a.scene).lexically_normal();
     job.out = fs::absolute(s.out).lexically_normal();
-    job.work = fs::absolute(s.scripts).lexically_normal();
-    if (fs::exists(job.work) && !fs::is_empty(job.work)) {
-        throw InputError("--scripts", job.work.string() + " exists and is not empty",
-                         "expected a new folder for scripts, logs and shards");
-    }
     job.name = prepared.scene.name;
     job.settings = a.settings;
     job.allow_outside = a.allow_outside;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -19,6 +20,7 @@
 #include "scenes/job/run/found_heat.hpp"
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/radiometers.hpp"
+#include "scenes/job/store/inputs.hpp"
 #include "scenes/job/warnings/scene_warnings.hpp"
 
 namespace diurna {
@@ -33,7 +35,9 @@ void tell_taken(const Stages& stages) {
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out);
     const double most = a.memory();
-    const Prepared prepared = prepare(a.read());
+    Scene scene = a.read();
+    check_output_file(out, named_inputs(scene));
+    const Prepared prepared = prepare(std::move(scene));
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);

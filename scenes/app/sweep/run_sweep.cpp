@@ -279,7 +279,7 @@ void merge(const Sweep& sweep, const SweepOptions& options, SweepReport& report)
 
 SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
     check_run_folder(options.out, FolderKind::sweep);
-    check_no_input_in(options.out, run_inputs(sweep.base));
+    check_no_input_in(options.out, paths_of(run_inputs(sweep.base)));
     const FolderLock lock(options.out, !options.shard.all());
     SweepReport report;
     Progress progress(options.progress);

@@ -13,12 +13,13 @@ std::string count_reported(const Sweep& sweep) {
 }
 
 std::string describe(const Sweep& sweep, const Plan& base) {
-    double heat = 0.0, pictures = 0.0;
+    double heat = 0.0, pictures = 0.0, built = 0.0;
     for (const PlannedStage& stage : base.stages) {
         const bool of_pictures = stage.stage == StageId::views || stage.stage == StageId::frames ||
                                  stage.stage == StageId::instruments ||
                                  stage.stage == StageId::report;
         (of_pictures ? pictures : heat) += stage.seconds;
+        if (stage.stage == StageId::terrain) built += stage.seconds;
     }
     std::string text = fmt::format("sweep       {}\n", count_reported(sweep));
     for (const SweepAxis& axis : sweep.base.sweep.axes) {
@@ -30,7 +31,8 @@ std::string describe(const Sweep& sweep, const Plan& base) {
     text += fmt::format(
         "  total time  {:>12.1f} s   heat balances {:.1f} s, pictures {:.1f} s per variant; "
         "estimated from the base scene below\n",
-        solves * heat + variants * pictures, heat, pictures);
+        // A variant that shares its heat is built for its pictures.
+        solves * heat + (variants - solves) * built + variants * pictures, heat, pictures);
     return text;
 }
 

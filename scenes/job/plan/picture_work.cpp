@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 #include <vector>
 
-#include "render/rays/lobe.hpp"
+#include "materials/matter/waves.hpp"
+#include "scenes/job/plan/instrument_cost.hpp"
+#include "scenes/job/plan/picture_samples.hpp"
 #include "scenes/job/plan/plan_costs.hpp"
-#include "scenes/job/plan/seen_pixels.hpp"
 
 namespace diurna {
 
@@ -15,61 +15,65 @@ namespace {
 
 constexpr double planes_of_picture = 14.0;  // of truth, beside those of its bands
 
-/// Pixels of a picture that send rays on, mean over an observer's views.
-struct Onward {
-    double followed = 0.0;  // one by one: off water and smooth mirrors, through panes and nets
-    double all = 0.0;       // these, and paints whose gloss is summed over a lobe
-};
+/// For an observer: pixels that are looked at, blocks that are followed, and poses for these.
+constexpr std::size_t looked_at = 144, blocks = 16, poses_looked_at = 4;
 
-bool follows_rays(const Material& material) {
-    const auto* const gloss = std::get_if<Glossy>(&material.finish);
-    return material.see_through ||
-           (gloss != nullptr && (gloss->waves || gloss->roughness < least_lobe));
-}
-
-/// Facets of copies that send rays on, in their places.
-FacetSet copied_facets(const Scene& scene, const World& world) {
-    FacetSet there;
-    const FacetSet& facets = world.facets;
-    for (std::size_t c = 0; c < world.copies.size(); ++c) {
-        const Copy& copy = world.copies[c];
-        for (std::uint32_t f = copy.first; f < copy.first + copy.facets; ++f) {
-            if (!scene.materials[facets.material[f]].needs_rays()) continue;
-            there.material.push_back(facets.material[f]);
-            there.area.push_back(facets.area[f]);
-            there.centroid.push_back((copy.pose * facets.centroid[f].cast<double>()).cast<float>());
-            there.normal.push_back(
-                (copy.pose.linear() * facets.normal[f].cast<double>()).cast<float>());
-        }
+/// [m s⁻¹] Mean over an observer's frames, over water.
+double mean_wind(const Weather& weather, const std::vector<Instant>& frames) {
+    double sum = 0.0;
+    for (const Instant when : frames) {
+        sum += wind_over_water(weather.at(when).wind_speed, weather.wind_height);
     }
-    return there;
+    return sum / std::max(1.0, double(frames.size()));
 }
 
-Onward onward_pixels(const Scene& scene, const World& world, const Sequence& sequence) {
-    if (sequence.pose.empty()) return {};
-    const auto with = [&](const auto& has) {
-        std::vector<bool> of(scene.materials.size());
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            of[i] = has(scene.materials[MaterialId{static_cast<std::uint16_t>(i)}]);
-        }
-        return of;
-    };
-    const std::vector<bool> followed = with(follows_rays),
-                            all = with([](const Material&m) { return m.needs_rays(); });
-    const FacetSet copies = copied_facets(scene, world);
-    const std::size_t count = std::min(most_poses, sequence.pose.size());
-    Onward mean;
+/// Of a picture, mean over an observer's views.
+FollowedRays of_a_view(const Scene& scene, const World& world, const Weather& weather,
+                       const RayScene& rays, const ObserverInput& observer,
+                       const Sequence& sequence) {
+    const std::size_t count = std::min(poses_looked_at, sequence.pose.size());
+    if (count == 0 || observer.frames.empty()) return {};
+    const FollowedOptions options{.samples = observer.samples,
+                                  .by_need = adaptive_secondary(scene, observer),
+                                  .wind_speed = mean_wind(weather, observer.frames),
+                                  .looked_at = looked_at / count,
+                                  .blocks = blocks / count};
+    FollowedRays mean;
     for (std::size_t k = 0; k < count; ++k) {
-        const Observer& pose = sequence.pose[k * sequence.pose.size() / count];
-        const auto pixels = [&](const std::vector<bool>& of) {
-            const auto counts = [&](MaterialId id) { return of[index(id)]; };
-            return (seen_pixels(pose, world.facets, counts) + seen_pixels(pose, copies, counts)) /
-                   double(count);
-        };
-        mean.followed += pixels(followed);
-        mean.all += pixels(all);
+        Observer pose = sequence.pose[k * sequence.pose.size() / count];
+        pose.width = observer.width;
+        pose.height = observer.height;
+        const FollowedRays one = followed_rays(scene, world, rays, pose, options);
+        mean.pixels += one.pixels / double(count);
+        mean.in_lobes += one.in_lobes / double(count);
+        mean.rays += one.rays / double(count);
+        mean.secondary += one.secondary / double(count);
     }
     return mean;
+}
+
+/// Adds what its pictures take of rays that go on, and returns that of one view.
+FollowedRays add_onward(const FollowedRays& each, double views, double pictures, PictureWork& work,
+                        OnwardLight& light) {
+    work.followed_rays += views * each.rays;
+    light.secondary += each.secondary * pictures;
+    light.lobes += std::sqrt(each.in_lobes) * pictures;
+    return each;
+}
+
+/// An observer as an instrument of its samples the radiance, without margins.
+ObserverInput sampled_by(const ObserverInput& observer, const InstrumentCost& cost) {
+    const int times = cost.oversampling.times;
+    ObserverInput seen = observer;
+    seen.width *= times;
+    seen.height *= times;
+    seen.samples = cost.samples;
+    seen.surfaces = 0;
+    if (seen.adaptive) {
+        seen.adaptive->from = seen.samples = std::max(2, seen.adaptive->from / (times * times));
+        seen.adaptive->to = std::max(seen.samples, seen.adaptive->to / (times * times));
+    }
+    return seen;
 }
 
 double channels_of(const Scene& scene, const std::string& cube) {
@@ -80,8 +84,8 @@ double channels_of(const Scene& scene, const std::string& cube) {
 
 }  // namespace
 
-PictureWork picture_work(const Scene& scene, const World& world,
-                         std::span<const Sequence> sequences) {
+PictureWork picture_work(const Scene& scene, const World& world, const Weather& weather,
+                         const RayScene* rays, std::span<const Sequence> sequences) {
     PictureWork work;
     for (std::size_t o = 0; o < scene.observers.size(); ++o) {
         const ObserverInput& observer = scene.observers[o];
@@ -96,16 +100,25 @@ PictureWork picture_work(const Scene& scene, const World& world,
         work.channel_pixels += pixels * channels * frames;
         const double planes = planes_of_picture + bands * (observer.terms ? 8.0 : 2.0);
         const double behind = scene.plumes.empty() ? 0.0 : 64.0 * observer.samples;
+        FollowedRays each;
+        if (rays != nullptr && o < sequences.size()) {
+            each = add_onward(of_a_view(scene, world, weather, *rays, observer, sequences[o]),
+                              double(sequences[o].pose.size()), frames * bands, work, work.onward);
+        }
         work.largest_view =
             std::max(work.largest_view,
                      pixels * (plan_costs.view_pixel + behind + plan_costs.plane_value * planes +
-                               plan_costs.channel_value * channels));
-        if (o >= sequences.size()) continue;
-        const Onward onward = onward_pixels(scene, world, sequences[o]);
-        const bool by_need = observer.adaptive || (observer.samples >= 4 && observer.surfaces == 0);
-        work.followed_rays += onward.followed * double(sequences[o].pose.size()) *
-                              observer.samples * (by_need ? plan_costs.samples_by_need : 1.0);
-        work.onward += std::sqrt(onward.all) * frames * bands;
+                               plan_costs.channel_value * channels) +
+                         plan_costs.secondary_bytes * each.secondary);
+    }
+    for (const InstrumentInput& input : scene.instruments) {
+        const ObserverInput& observer = observer_of(scene, input);
+        const auto o = static_cast<std::size_t>(&observer - scene.observers.data());
+        if (rays == nullptr || o >= sequences.size()) continue;
+        const ObserverInput seen = sampled_by(observer, instrument_cost(scene, input));
+        add_onward(of_a_view(scene, world, weather, *rays, seen, sequences[o]),
+                   double(sequences[o].pose.size()), double(observer.frames.size()), work,
+                   work.of_instruments);
     }
     return work;
 }

@@ -3,22 +3,32 @@
 #include <span>
 
 #include "scenes/job/input/scene.hpp"
+#include "scenes/job/plan/followed_rays.hpp"
 #include "scenes/job/plan/sequence.hpp"
 #include "scenes/job/world/world.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "thermal/weather/weather.hpp"
 
 namespace diurna {
+
+/// Light of rays that go on, in each picture of a band.
+struct OnwardLight {
+    double secondary = 0.0;  // hits (FollowedRays::secondary)
+    double lobes = 0.0;      // roots of the pixels in lobes
+};
 
 /// What pictures of observers take.
 struct PictureWork {
     double pictures = 0.0, pixels = 0.0;                  // of bands
     double channel_pictures = 0.0, channel_pixels = 0.0;  // of cubes
-    double followed_rays = 0.0;                           // that go on, one by one
-    double onward = 0.0;        // of bands: roots of the pixels that send rays on
-    double largest_view = 0.0;  // [bytes]
+    double followed_rays = 0.0;    // that go on, of all views and instruments' views
+    OnwardLight onward{};          // of bands
+    OnwardLight of_instruments{};  // of their pictures
+    double largest_view = 0.0;     // [bytes]
 };
 
-/// - sequences: of the observers; without them no pixel sends rays on
-PictureWork picture_work(const Scene& scene, const World& world,
-                         std::span<const Sequence> sequences);
+/// - rays, sequences: of the observers; without them no pixel sends rays on
+PictureWork picture_work(const Scene& scene, const World& world, const Weather& weather,
+                         const RayScene* rays, std::span<const Sequence> sequences);
 
 }  // namespace diurna

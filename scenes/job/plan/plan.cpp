@@ -54,10 +54,14 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
             frames * (cost.seen_pixels *
                           (through * plan_costs.render_per_pixel + plan_costs.blur_per_sample) +
                       double(observer.width) * observer.height * plan_costs.detect_per_pixel +
-                      plan_costs.light_per_facet * double(plan.facets));
+                      plan_costs.air_per_band + plan_costs.light_per_facet * double(plan.facets));
         plan.instruments.push_back(cost);
     }
     return seconds;
+}
+
+double onward_seconds(const OnwardLight& light) {
+    return plan_costs.secondary_per_hit * light.secondary + plan_costs.lobes_per_root * light.lobes;
 }
 
 /// Heat once more for each uncertain value and for all together; views and pictures once more for
@@ -84,11 +88,11 @@ double finer_round(const Plan& plan) {
 }
 
 /// What each stage takes, and the memory of all.
-void estimate(const Scene& scene, const World& world, const Weather& weather,
+void estimate(const Scene& scene, const World& world, const Weather& weather, const RayScene* rays,
               std::span<const Sequence> sequences, Plan& plan) {
     PlannedWork work{.sky = sky_work(scene, world),
                      .days = solved_days(scene, world.site, weather, plan.stages_of_motion > 1),
-                     .pictures = picture_work(scene, world, sequences),
+                     .pictures = picture_work(scene, world, weather, rays, sequences),
                      .facets = double(plan.facets),
                      .networks = double(network_facets(scene, world)),
                      .every = !plan.decisions.heat.every_facet.empty(),
@@ -149,17 +153,20 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
         {StageId::views, (through * plan_costs.cast_per_ray * double(plan.view_rays) +
                           plan_costs.secondary_per_ray * work.pictures.followed_rays) /
                              threads},
-        {StageId::frames, (through * plan_costs.render_per_pixel * work.pictures.pixels +
-                           plan_costs.air_per_band * work.pictures.pictures +
-                           plan_costs.secondary_per_root * work.pictures.onward +
-                           plan_costs.render_per_channel * work.pictures.channel_pixels +
-                           plan_costs.air_per_channel * work.pictures.channel_pictures +
-                           plan_costs.light_per_facet * facets * double(plan.views)) /
-                              threads},
+        {StageId::frames,
+         (through * plan_costs.render_per_pixel * work.pictures.pixels +
+          plan_costs.air_per_band * work.pictures.pictures + onward_seconds(work.pictures.onward) +
+          plan_costs.render_per_channel * work.pictures.channel_pixels +
+          plan_costs.air_per_channel * work.pictures.channel_pictures +
+          plan_costs.light_per_facet * facets * double(plan.views)) /
+             threads},
         {StageId::report, plan_costs.annotate_per_pixel * double(plan.frame_pixels)},
     };
     if (!scene.instruments.empty()) {
-        plan.stages.insert(plan.stages.end() - 1, {StageId::instruments, instruments / threads});
+        plan.stages.insert(
+            plan.stages.end() - 1,
+            {StageId::instruments,
+             (instruments + onward_seconds(work.pictures.of_instruments)) / threads});
     }
     if (work.check.patches == 0.0) {
         std::erase_if(plan.stages,
@@ -174,13 +181,13 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
+Plan make_plan(const Scene& scene, const World& world, const Weather& weather, const RayScene* rays,
                std::span<const Sequence> sequences, std::size_t stages_of_motion) {
     Plan plan;
     plan.stages_of_motion = stages_of_motion;
     count_work(scene, world, plan);
     plan.decisions = decisions_of(scene, world, weather, sequences);
-    estimate(scene, world, weather, sequences, plan);
+    estimate(scene, world, weather, rays, sequences, plan);
     return plan;
 }
 

@@ -11,6 +11,7 @@
 #include "scenes/job/plan/sequence.hpp"
 #include "scenes/job/plan/stage_id.hpp"
 #include "scenes/job/world/world.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
@@ -43,11 +44,13 @@ struct Plan {
     Decisions decisions;  // followed by the run
 };
 
-/// Depends only on the scene, its facets and the positions of its observers (without these,
-/// mirrored pixels are not counted). Costs of each item: scenes/job/plan/plan_costs.hpp.
+/// Depends only on the scene, its facets and the positions of its observers (without these
+/// or its rays, mirrored pixels are not counted). Costs of each item:
+/// scenes/job/plan/plan_costs.hpp.
 ///
 /// - stages_of_motion: Movement::stage (scenes/job/world/movers.hpp)
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
-               std::span<const Sequence> sequences = {}, std::size_t stages_of_motion = 1);
+               const RayScene* rays = nullptr, std::span<const Sequence> sequences = {},
+               std::size_t stages_of_motion = 1);
 
 }  // namespace diurna

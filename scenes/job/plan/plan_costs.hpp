@@ -50,13 +50,12 @@ struct PlanCosts {
     double render_per_pixel = 0.83e-6;  // and band
     double air_per_band = 0.024;        // and frame: tables of paths and backgrounds
     double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
-    double secondary_per_ray =
-        15e-6;                     // that goes on off water or a mirror, through a pane or a net
-    double samples_by_need = 3.0;  // of such a pixel, over those requested (follow_rays.hpp)
-    double secondary_per_root =
-        3.2e-3;  // and band, frame: root of the pixels that send rays on; what
-                 // they meet and its air are shared, the more the more there are
-    double air_per_channel = 0.027;  // of a cube, and frame
+    double secondary_per_ray = 1.3e-6;  // off water or a mirror, through a pane or a net
+    double secondary_per_hit = 0.7e-6;  // of those, and band and frame
+    double lobes_per_root = 2.2e-3;     // and band, frame: root of the pixels of rough mirrors and
+                                        // water; what their lobes meet is shared, the more the more
+                                        // there are
+    double air_per_channel = 0.027;     // of a cube, and frame
     double render_per_channel = 0.12e-6;
     double blur_per_sample = 0.7e-6;  // of an instrument's radiance and frame
     double detect_per_pixel = 1.0e-6;
@@ -81,6 +80,7 @@ struct PlanCosts {
     double wet_facet = 4000.0;            // of one with dew, rain or snow, and
     double freezing_facet = 4000.0;       // more of one whose water freezes, in lanes
     double view_pixel = 160.0;
+    double secondary_bytes = 110.0;    // of a hit of rays that go on
     double instrument_sample = 100.0;  // of radiance
     double plane_value = 8.0;          // of a plane, and of the file written from it
     double channel_value = 32.0;       // of a value of a cube: rendered, written to two files

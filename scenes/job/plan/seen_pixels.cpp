@@ -37,39 +37,36 @@ Spot spot_of(const Observer& observer, const Eigen::Vector3d& to) {
     return {angle <= 0.5 * across, across * across / columns};
 }
 
-/// A camera at one pose.
-class PosedCamera {
- public:
-    explicit PosedCamera(const Observer& observer)
-        : observer_(observer), axes_(attitude_of(observer).toRotationMatrix().transpose()) {}
-
-    /// Pixels that a facet fills.
-    double pixels_of(const FacetSet& facets, std::size_t f) const {
-        const Eigen::Vector3d line = facets.centroid[f].cast<double>() - observer_.position;
-        const bool parallel = observer_.projection == Projection::orthographic;
-        const Eigen::Vector3d along =
-            parallel ? Eigen::Vector3d(axes_.row(1).transpose()) : line.normalized();
-        const double facing = -along.dot(facets.normal[f].cast<double>());
-        if (!(facing > 0.0)) return 0.0;
-        const Spot spot = spot_of(observer_, axes_ * line);
-        if (!spot.inside) return 0.0;
-        const double apparent = facets.area[f] * facing;
-        return (parallel ? apparent : apparent / line.squaredNorm()) / spot.pixel;
-    }
-
- private:
-    const Observer& observer_;
-    Eigen::Matrix3d axes_;  // to right, forward, up
-};
+double pixels_of(const PosedCamera& camera, const FacetSet& facets, std::size_t f) {
+    return camera.pixels_of(facets.centroid[f].cast<double>(), facets.normal[f].cast<double>(),
+                            double{facets.area[f]});
+}
 
 }  // namespace
+
+PosedCamera::PosedCamera(const Observer& observer)
+    : observer_(observer), axes_(attitude_of(observer).toRotationMatrix().transpose()) {}
+
+double PosedCamera::pixels_of(const Eigen::Vector3d& centroid, const Eigen::Vector3d& normal,
+                              double area) const {
+    const Eigen::Vector3d line = centroid - observer_.position;
+    const bool parallel = observer_.projection == Projection::orthographic;
+    const Eigen::Vector3d along =
+        parallel ? Eigen::Vector3d(axes_.row(1).transpose()) : line.normalized();
+    const double facing = -along.dot(normal);
+    if (!(facing > 0.0)) return 0.0;
+    const Spot spot = spot_of(observer_, axes_ * line);
+    if (!spot.inside) return 0.0;
+    const double apparent = area * facing;
+    return (parallel ? apparent : apparent / line.squaredNorm()) / spot.pixel;
+}
 
 double seen_pixels(const Observer& observer, const FacetSet& facets,
                    const std::function<bool(MaterialId)>& counts) {
     const PosedCamera camera(observer);
     double pixels = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        if (counts(facets.material[f])) pixels += camera.pixels_of(facets, f);
+        if (counts(facets.material[f])) pixels += pixels_of(camera, facets, f);
     }
     return std::min(pixels, double(observer.width) * observer.height);
 }
@@ -80,7 +77,7 @@ double seen_facets(std::span<const Observer> poses, const FacetSet& facets) {
     double seen = 0.0;
     for (std::size_t f = 0; f < facets.size(); f += apart) {
         double pixels = 0.0;
-        for (const PosedCamera& camera : cameras) pixels += camera.pixels_of(facets, f);
+        for (const PosedCamera& camera : cameras) pixels += pixels_of(camera, facets, f);
         seen += 1.0 - std::exp(-pixels);
     }
     return seen * double(apart);

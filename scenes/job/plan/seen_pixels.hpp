@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -8,6 +9,19 @@
 #include "terrain/facets.hpp"
 
 namespace diurna {
+
+/// A camera at one pose.
+class PosedCamera {
+ public:
+    explicit PosedCamera(const Observer& observer);
+    /// Pixels that a facet fills, ignoring occlusion; 0 outside the picture.
+    double pixels_of(const Eigen::Vector3d& centroid, const Eigen::Vector3d& normal,
+                     double area) const;
+
+ private:
+    const Observer& observer_;
+    Eigen::Matrix3d axes_;  // to right, forward, up
+};
 
 /// Number of pixels of a picture with facets of materials for which `counts` holds, ignoring
 /// occlusion: from solid angles of facets that face the camera within its field of view. Needs no

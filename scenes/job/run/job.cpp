@@ -79,7 +79,7 @@ class Job {
         }
         manifest_ = manifest_of(prepared_, options_.temperatures, options_.settings);
         manifest_.rounds = rounds_;
-        check_no_input_in(out_, manifest_.inputs);
+        check_no_input_in(out_, paths_of(manifest_.inputs));
         report_ = begun_report(prepared_, manifest_, own_files());
         for (std::size_t k = 0; k < rounds_.size(); ++k) {
             report_.notes.push_back(fmt::format("round {}: {}", k + 1, rounds_[k].missed));
@@ -115,8 +115,6 @@ class Job {
     void check() const {
         check_memory(prepared_.plan, options_.max_memory);
         if (options_.temperatures.empty()) check_start(prepared_);
-        for (const fs::path& part : options_.parts) refuse_own(out_, part, "FOLDERS");
-        if (!options_.from.empty()) refuse_own(out_, options_.from, "--from");
     }
     bool makes_sigma() const {
         return !prepared_.scene.uncertain.empty() && options_.temperatures.empty() &&
@@ -128,11 +126,7 @@ class Job {
     GreyFormat format() const { return prepared_.scene.labels.format; }
     /// Of heat and the chosen pictures.
     std::vector<std::string> expected_files() const {
-        std::vector<std::string> expected = own_files();
-        for (std::string& file : frame_files(chosen_, format())) {
-            expected.push_back(std::move(file));
-        }
-        return expected;
+        return run_files(prepared_.scene, chosen_, !options_.temperatures.empty());
     }
     void take_parts() const {
         if (options_.parts.empty()) return;
@@ -285,6 +279,17 @@ class Job {
     std::string earlier_key_{};  // of the run that the folder held; "": none
 };
 
+/// Refuses a folder by what is known before the scene's files are read.
+void check_folder(const Scene& scene, const JobOptions& options) {
+    check_run_folder(options.out, FolderKind::run);
+    check_not_in_use(options.out);
+    for (const fs::path& part : options.parts) refuse_own(options.out, part, "FOLDERS");
+    if (!options.from.empty()) refuse_own(options.out, options.from, "--from");
+    check_no_input_in(options.out, paths_of(named_inputs(scene)));
+    check_clearable(options.out, run_files(scene, chosen_pictures(scene, options.pictures),
+                                           !options.temperatures.empty()));
+}
+
 /// Folders of runs that this one continues.
 std::vector<fs::path> earlier_folders(const JobOptions& options) {
     std::vector<fs::path> folders = options.parts;
@@ -296,7 +301,7 @@ std::vector<fs::path> earlier_folders(const JobOptions& options) {
 }  // namespace
 
 JobReport run_job(Scene scene, const JobOptions& options) {
-    check_run_folder(options.out, FolderKind::run);
+    check_folder(scene, options);
     Progress progress(options.progress);
     progress.stage(StageId::terrain);
     const auto prepare_it = [&](Scene of) {

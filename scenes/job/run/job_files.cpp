@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "materials/base/number_of.hpp"
+#include "scenes/job/plan/frame_files.hpp"
 #include "scenes/job/run/heat.hpp"
 #include "scenes/job/run/radiometers.hpp"
 #include "scenes/job/run/run_folder.hpp"
@@ -21,6 +22,15 @@ std::vector<std::string> heat_files(const Scene& scene, bool given) {
     std::vector<std::string> files{"temperatures.nc"};
     if (scene.output.state) files.emplace_back(state_file);
     for (std::string& file : radiometer_files(scene)) files.push_back(std::move(file));
+    return files;
+}
+
+std::vector<std::string> run_files(const Scene& scene, const std::vector<ObserverInput>& chosen,
+                                   bool given) {
+    std::vector<std::string> files = heat_files(scene, given);
+    for (std::string& file : frame_files(chosen, scene.labels.format)) {
+        files.push_back(std::move(file));
+    }
     return files;
 }
 

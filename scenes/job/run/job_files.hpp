@@ -18,6 +18,10 @@ namespace diurna {
 /// - given: temperatures are
 std::vector<std::string> heat_files(const Scene& scene, bool given);
 
+/// The same and the pictures of some of its observers.
+std::vector<std::string> run_files(const Scene& scene, const std::vector<ObserverInput>& chosen,
+                                   bool given);
+
 /// The report before anything is computed.
 ///
 /// - files: of the heat balance

@@ -45,26 +45,72 @@ std::string stem_of(const std::string& name) { return fs::path(name).stem().stri
     throw InputError("--out", fmt::format("{} {}", out.string(), found), hint);
 }
 
+[[noreturn]] void refuse_used(const fs::path& out) {
+    refuse(out, "is in use by another run", "wait until that run ends, or choose another folder");
+}
+
+/// Whether this process has the folder now; else errno has the reason.
+bool lock(int file, bool shared) {
+    return ::flock(file, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0;
+}
+
+/// Of earlier runs, found in a run's folder.
+struct OldFiles {
+    std::vector<fs::path> file;  // to be removed
+    Cleared cleared;
+};
+
+/// Throws InputError for another file among pictures or labels. The arguments are those of
+/// clear_run_folder().
+OldFiles old_files(const fs::path& out, const std::set<std::string>& keep,
+                   const std::vector<std::string>& expected) {
+    const std::set<std::string> wanted(expected.begin(), expected.end());
+    std::set<std::string> known = wanted, stems;
+    for (std::string& name : ledger_names(out)) known.insert(std::move(name));
+    for (const auto& [name, digest] : listed_outputs(out).digest) known.insert(name);
+    for (const std::string& name : known) stems.insert(stem_of(name));
+    std::set<std::string> wanted_stems;
+    for (const std::string& name : wanted) wanted_stems.insert(stem_of(name));
+
+    OldFiles old;
+    const auto sort_out = [&](const std::string& folder, bool own) {
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(out / folder, none)) {
+            const std::string file = entry.path().filename().string();
+            const std::string name = folder.empty() ? file : folder + "/" + file;
+            const bool inner = entry.is_directory() && !entry.is_symlink();
+            if (keep.contains(name) || (inner && name == "kitti/calib")) continue;
+            const bool ours = !inner && (known.contains(name) || is_temporary_name(file) ||
+                                         (own && stems.contains(stem_of(file))));
+            if (ours) {
+                old.file.push_back(entry.path());
+                if (!own || is_temporary_name(file)) continue;
+                if (!wanted_stems.contains(stem_of(file))) {
+                    ++old.cleared.gone;
+                } else if (wanted.contains(name)) {
+                    ++old.cleared.again;
+                }  // else labels, which are written at the end of each run
+            } else if (own) {
+                refuse(out,
+                       fmt::format(
+                           "holds {}, which was not written by an earlier run of this scene", name),
+                       "remove it, or choose another folder");
+            }
+        }
+    };
+    sort_out("", false);
+    for (const char* folder : own_folders) sort_out(folder, true);
+    return old;
+}
+
 }  // namespace
 
 void check_run_folder(const fs::path& out, FolderKind kind) {
-    std::error_code problem;
-    const fs::file_status status = fs::status(out, problem);
-    if (!fs::exists(status)) {
-        if (fs::is_symlink(fs::symlink_status(out, problem))) {
-            refuse(out, "is a broken symbolic link", "expected a folder");
-        }
-        fs::path above = out.lexically_normal();
-        while (above.has_parent_path() && above.parent_path() != above && !fs::exists(above)) {
-            above = above.parent_path();
-        }
-        if (fs::exists(above) && !fs::is_directory(above)) {
-            refuse(out, fmt::format("cannot be created: {} is not a folder", above.string()), "");
-        }
-        return;
+    if (const std::string why = why_no_output_folder(out); !why.empty()) {
+        refuse(out, why, "expected a folder or a new name");
     }
-    if (!fs::is_directory(status))
-        refuse(out, "is not a folder", "expected a folder or a new name");
+    std::error_code problem;
+    if (!fs::exists(out, problem)) return;
     for (const char* inner : own_folders) {
         if (fs::is_symlink(fs::symlink_status(out / inner, problem))) {
             refuse(out, fmt::format("has a symbolic link in place of its folder {}", inner), "");
@@ -79,12 +125,20 @@ void check_run_folder(const fs::path& out, FolderKind kind) {
     refuse(out, "holds files that are not results of a run", "choose another folder, new or empty");
 }
 
-void check_no_input_in(const fs::path& out, const std::vector<RunInput>& inputs) {
+void check_not_in_use(const fs::path& out, bool shared) {
+    const int file = ::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) return;
+    const bool used = !lock(file, shared) && errno == EWOULDBLOCK;
+    ::close(file);
+    if (used) refuse_used(out);
+}
+
+void check_no_input_in(const fs::path& out, const std::vector<fs::path>& inputs) {
     const fs::path folder = fs::weakly_canonical(out);
-    for (const RunInput& input : inputs) {
-        const fs::path below = fs::weakly_canonical(input.path).lexically_relative(folder);
+    for (const fs::path& input : inputs) {
+        const fs::path below = fs::weakly_canonical(input).lexically_relative(folder);
         if (below.empty() || *below.begin() == "..") continue;
-        refuse(out, fmt::format("holds {}, an input of this run", input.path.string()),
+        refuse(out, fmt::format("holds {}, an input of this run", input.string()),
                "choose another folder");
     }
 }
@@ -96,12 +150,11 @@ FolderLock::FolderLock(const fs::path& folder, bool shared) {
         throw std::runtime_error(
             fmt::format("{}: cannot be opened: {}", folder.string(), std::strerror(errno)));
     }
-    if (::flock(file_, (shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return;
+    if (lock(file_, shared)) return;
     const int reason = errno;
     if (reason == EWOULDBLOCK) {
         ::close(file_);
-        refuse(folder, "is in use by another run",
-               "wait until that run ends, or choose another folder");
+        refuse_used(folder);
     }
     // File systems of networks may know no locks of folders: then the folder is not guarded.
     fmt::print(stderr,
@@ -114,45 +167,13 @@ FolderLock::~FolderLock() { ::close(file_); }
 void clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
                       const std::vector<std::string>& expected,
                       const std::function<void(const Cleared&)>& tell) {
-    const std::set<std::string> wanted(expected.begin(), expected.end());
-    std::set<std::string> known = wanted, stems;
-    for (std::string& name : ledger_names(out)) known.insert(std::move(name));
-    for (const auto& [name, digest] : listed_outputs(out).digest) known.insert(name);
-    for (const std::string& name : known) stems.insert(stem_of(name));
-    std::set<std::string> wanted_stems;
-    for (const std::string& name : wanted) wanted_stems.insert(stem_of(name));
+    const OldFiles old = old_files(out, keep, expected);
+    if (tell && old.cleared.again + old.cleared.gone > 0) tell(old.cleared);
+    for (const fs::path& file : old.file) fs::remove(file);
+}
 
-    std::vector<fs::path> old;
-    Cleared cleared;
-    const auto sort_out = [&](const std::string& folder, bool own) {
-        std::error_code none;
-        for (const auto& entry : fs::directory_iterator(out / folder, none)) {
-            const std::string file = entry.path().filename().string();
-            const std::string name = folder.empty() ? file : folder + "/" + file;
-            const bool inner = entry.is_directory() && !entry.is_symlink();
-            if (keep.contains(name) || (inner && name == "kitti/calib")) continue;
-            const bool ours = !inner && (known.contains(name) || is_temporary_name(file) ||
-                                         (own && stems.contains(stem_of(file))));
-            if (ours) {
-                old.push_back(entry.path());
-                if (!own || is_temporary_name(file)) continue;
-                if (!wanted_stems.contains(stem_of(file))) {
-                    ++cleared.gone;
-                } else if (wanted.contains(name)) {
-                    ++cleared.again;
-                }  // else labels, which are written at the end of each run
-            } else if (own) {
-                refuse(out,
-                       fmt::format(
-                           "holds {}, which was not written by an earlier run of this scene", name),
-                       "remove it, or choose another folder");
-            }
-        }
-    };
-    sort_out("", false);
-    for (const char* folder : own_folders) sort_out(folder, true);
-    if (tell && cleared.again + cleared.gone > 0) tell(cleared);
-    for (const fs::path& file : old) fs::remove(file);
+void check_clearable(const fs::path& out, const std::vector<std::string>& expected) {
+    old_files(out, {}, expected);
 }
 
 }  // namespace diurna

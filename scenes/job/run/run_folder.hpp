@@ -18,9 +18,21 @@ enum class FolderKind { run, sweep };
 /// content than an earlier run's (or sweep's) results. Writes nothing.
 void check_run_folder(const std::filesystem::path& out, FolderKind kind);
 
+/// Throws InputError if another process has locked it (FolderLock). Writes nothing, and locks
+/// nothing either.
+///
+/// - shared: the lock that is to follow
+void check_not_in_use(const std::filesystem::path& out, bool shared = false);
+
 /// Throws InputError if an input is in the folder: results would overwrite
 /// it.
-void check_no_input_in(const std::filesystem::path& out, const std::vector<RunInput>& inputs);
+void check_no_input_in(const std::filesystem::path& out,
+                       const std::vector<std::filesystem::path>& inputs);
+
+/// Throws InputError as clear_run_folder() would. Removes nothing.
+///
+/// - expected: of the run that begins
+void check_clearable(const std::filesystem::path& out, const std::vector<std::string>& expected);
 
 /// A folder that is created if necessary and locked by this process while the object exists; the
 /// system releases the lock when the process ends. Throws InputError if another process has it.

@@ -10,6 +10,7 @@
 #include "render/rays/follow_rays.hpp"
 #include "render/view/cast_view.hpp"
 #include "render/view/linear_facets.hpp"
+#include "scenes/job/plan/picture_samples.hpp"
 #include "scenes/job/run/appearances.hpp"
 #include "scenes/job/run/behind_planes.hpp"
 #include "scenes/job/run/light_heights.hpp"
@@ -44,13 +45,6 @@ std::vector<SurfaceId> beside(const World& world, std::span<const SurfaceId> see
     return found;
 }
 
-/// Of an observer with so many samples a pixel: more, up to 256, where what a pixel sees differs in
-/// heat. Sixteen alone leave 0.2 to 0.3 K rms in a close view of
-/// vehicles and nets.
-AdaptiveOptions finer_at_edges(int samples) {
-    return {.from = samples, .to = std::max(samples, 256), .tolerance = 0.02};
-}
-
 }  // namespace
 
 double wind_at(const Prepared& prepared, Instant instant) {
@@ -78,15 +72,10 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
     for (const std::string& band : s.input.bands) {
         s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
     }
-    // Where nothing is said of it, by what is seen in 8-12 um, so that a band alone has the samples
-    // that it has among others. Not where each pixel's surfaces are listed: more samples see more
-    // than the list holds.
-    std::optional<AdaptiveOptions> adaptive = s.input.adaptive;
+    const std::optional<AdaptiveOptions> adaptive =
+        s.input.adaptive || asked.empty() ? adaptive_samples(s.input) : std::nullopt;
     std::vector<Band> looked_at = s.bands;
-    if (!adaptive && asked.empty() && s.input.samples >= 4 && s.input.surfaces == 0) {
-        adaptive = finer_at_edges(s.input.samples);
-        looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
-    }
+    if (!s.input.adaptive) looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     const bool estimated = !adaptive && asked.empty() && s.input.samples >= 2;
     std::vector<Appearance> looks;
     if (adaptive) looks = appearances(prepared, frames, views, field, looked_at);
@@ -101,10 +90,8 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
         behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);
     std::optional<SecondarySampling> by_need;
-    if (adaptive && !scene.exact) {
-        by_need = SecondarySampling{*adaptive, looks};
-        // Of each such pixel by itself, not of the picture: most of them would take all they may.
-        if (!s.input.adaptive) by_need->options.tolerance = 0.05;
+    if (const auto options = adaptive_secondary(scene, s.input); adaptive && options) {
+        by_need = SecondarySampling{*options, looks};
     }
     s.secondary_rays = follow_rays(s.view,
                                    {.rays = prepared.rays,

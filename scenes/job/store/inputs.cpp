@@ -133,6 +133,15 @@ std::vector<RunInput> run_inputs(const Scene& scene) {
     return inputs;
 }
 
+std::vector<FileRead> named_inputs(const Scene& scene) {
+    std::vector<FileRead> files;
+    std::error_code none;
+    for (const fs::path& file : named_files(scene)) {
+        if (fs::is_regular_file(file, none)) files.push_back({.path = file});
+    }
+    return files;
+}
+
 std::string job_key(const std::vector<RunInput>& inputs, const std::vector<std::string>& settings) {
     std::string text =
         fmt::format("{} {}\n{}", DIURNA_VERSION, program_sources(), DIURNA_LIBRARIES);

@@ -155,11 +155,23 @@ UnevenView uneven_view(const RadianceInput& input, SurfaceId facet) {
 }
 
 NarrowView narrow_view(const RadianceInput& input, SurfaceId facet) {
+    NarrowView view;
+    narrow_views(input, {&facet, 1}, {&view, 1});
+    return view;
+}
+
+void narrow_views(const RadianceInput& input, std::span<const SurfaceId> facet,
+                  std::span<NarrowView> view) {
     const Eigen::Vector2f towards = sun_in_plan(input);
-    const Eigen::Vector3f& normal = input.facets.normal[index(facet)];
-    const Eigen::Vector3f turned(normal.x() * towards.x() + normal.y() * towards.y(),
-                                 normal.y() * towards.x() - normal.x() * towards.y(), normal.z());
-    return narrow_view(about(sky_of(input.views, input.facets, index(facet)), towards), turned);
+    std::vector<SkyVector> sky;
+    std::vector<Eigen::Vector3f> turned;
+    for (const SurfaceId id : facet) {
+        const Eigen::Vector3f& normal = input.facets.normal[index(id)];
+        turned.emplace_back(normal.x() * towards.x() + normal.y() * towards.y(),
+                            normal.y() * towards.x() - normal.x() * towards.y(), normal.z());
+        sky.push_back(about(sky_of(input.views, input.facets, index(id)), towards));
+    }
+    narrow_views(sky, turned, view);
 }
 
 UnevenView uneven_view_of_wall(bool sunward) {

@@ -28,6 +28,9 @@ using UnevenView = std::array<float, uneven_functions>;
 UnevenView uneven_view(const RadianceInput& input, SurfaceId facet);
 /// Shares of its sky by direction relative to the sun.
 NarrowView narrow_view(const RadianceInput& input, SurfaceId facet);
+/// The same for many facets at once, some tens.
+void narrow_views(const RadianceInput& input, std::span<const SurfaceId> facet,
+                  std::span<NarrowView> view);
 /// For a wall on open ground that faces the sun, or away from it.
 UnevenView uneven_view_of_wall(bool sunward);
 

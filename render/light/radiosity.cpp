@@ -27,6 +27,20 @@ void add(const float* from, std::size_t n, float* to) {
     for (std::size_t k = 0; k < n; ++k) to[k] += from[k];
 }
 
+/// Adds Σ share × row of a matrix, whose rows are groups of four lanes.
+void add_rows(const float* share, std::size_t rows, const float* matrix, std::size_t width,
+              float* to) {
+    using Four = Eigen::Array<float, 4, 1>;
+    for (std::size_t k = 0; k < width; k += 4) {
+        Four sum = Eigen::Map<const Four>(to + k);
+        const float* row = matrix + k;
+        for (std::size_t r = 0; r < rows; ++r, row += width) {
+            sum += share[r] * Eigen::Map<const Four>(row);
+        }
+        Eigen::Map<Four>(to + k) = sum;
+    }
+}
+
 /// How much light in modes counts in a picture: its band radiance over what a band leaves out, from
 /// above (Σ w f ≤ √(Σ w) √(Σ w f²)), in the band where it counts most.
 class Counting {
@@ -139,13 +153,9 @@ void Radiosity::first_bounce(std::size_t i, std::span<const BandLight> bands, fl
     std::array<float, SkyModes::most> sky;
     for (std::size_t b = 0; b < bands.size(); ++b) {
         bands[b].sky.of(open, state_.uneven[i], state_.narrow_of(i), up, sky.data());
-        const std::size_t first = tables_.first[b], width = tables_.first[b + 1] - first;
-        const float* modes = material.sky[b].data();
-        for (std::size_t m = 0; m < bands[b].sky.size(); ++m, modes += width) {
-            float* to = out + first;
-#pragma omp simd
-            for (std::size_t k = 0; k < width; ++k) to[k] += sky[m] * modes[k];
-        }
+        const std::size_t first = tables_.first[b];
+        add_rows(sky.data(), bands[b].sky.size(), material.sky[b].data(),
+                 tables_.first[b + 1] - first, out + first);
     }
 }
 
@@ -164,14 +174,9 @@ void Radiosity::second_bounce(std::size_t i, float* unsent) const {
 void Radiosity::reflect(std::size_t i, const float* light, float* out) const {
     const auto& material = tables_.material[index(lit_.material[i])];
     for (std::size_t b = 0; b < tables_.size.size(); ++b) {
-        const std::size_t first = tables_.first[b], width = tables_.first[b + 1] - first;
-        const float* matrix = material.reflection[b].data();
-        for (std::size_t in = 0; in < tables_.size[b]; ++in, matrix += width) {
-            const float x = light[first + in];
-            float* to = out + first;
-#pragma omp simd
-            for (std::size_t k = 0; k < width; ++k) to[k] += x * matrix[k];
-        }
+        const std::size_t first = tables_.first[b];
+        add_rows(light + first, tables_.size[b], material.reflection[b].data(),
+                 tables_.first[b + 1] - first, out + first);
     }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
@@ -39,28 +41,34 @@ struct Sender {
     float factor;
 };
 
-/// Σ factor × value over the senders, of `width` lanes from `first` on.
-template <std::size_t width>
+/// Σ factor × value over the senders, of `groups` groups of eight lanes from `first` on.
+template <std::size_t groups>
 void gather_lanes(std::span<const Sender> senders, std::size_t first, float* out) {
-    alignas(64) float sum[width] = {};
+    using Lane = Eigen::Array<float, 8, 1>;  // stays in a register, as a plain array does not
+    Lane sum[groups];
+    for (Lane& of : sum) of = Lane::Zero();
     for (const Sender& from : senders) {
-        for (std::size_t k = 0; k < width; ++k) sum[k] += from.factor * from.value[first + k];
+        const float* const value = from.value + first;
+        for (std::size_t g = 0; g < groups; ++g) {
+            sum[g] += from.factor * Eigen::Map<const Lane>(value + 8 * g);
+        }
     }
-    std::copy_n(sum, width, out + first);
+    for (std::size_t g = 0; g < groups; ++g) Eigen::Map<Lane>(out + first + 8 * g) = sum[g];
 }
 
 /// The same of all lanes, as many at a time as registers hold.
 inline void gather(std::span<const Sender> senders, std::size_t lanes, float* out) {
     std::size_t first = 0;
-    for (; first + 32 <= lanes; first += 32) gather_lanes<32>(senders, first, out);
+    for (; first + 64 <= lanes; first += 64) gather_lanes<8>(senders, first, out);
+    for (; first + 32 <= lanes; first += 32) gather_lanes<4>(senders, first, out);
     if (first + 24 <= lanes) {
-        gather_lanes<24>(senders, first, out);
+        gather_lanes<3>(senders, first, out);
         first += 24;
     } else if (first + 16 <= lanes) {
-        gather_lanes<16>(senders, first, out);
+        gather_lanes<2>(senders, first, out);
         first += 16;
     } else if (first + 8 <= lanes) {
-        gather_lanes<8>(senders, first, out);
+        gather_lanes<1>(senders, first, out);
         first += 8;
     }
     const std::size_t rest = lanes - first;  // fewer than eight
@@ -101,17 +109,22 @@ int interreflect(const SeenRows& rows, const UnsentLight& unsent, const Reflect&
         if (!any || sweep == sweeps) return sweep;
         if (!arrived) arrived = std::make_unique_for_overwrite<float[]>(facets * count);
         for_each_block(facets, grain, [&](std::size_t begin, std::size_t end) {
-            std::vector<Sender> senders;
+            std::vector<Sender> list;
+            const std::uint32_t* const source = rows.source.data();
+            const float* const factor = rows.factor.data();
+            const std::uint8_t* const sending = sends.data();
             for (std::size_t f = begin; f < end; ++f) {
-                senders.clear();
-                const auto add = [&](std::size_t from, float factor) {
-                    if (sends[from])
-                        senders.push_back({unsent.value + from * unsent.stride, factor});
+                const std::uint32_t first = rows.row[f], last = rows.row[f + 1];
+                if (list.size() <= last - first) list.resize(last - first + 1);
+                Sender* next = list.data();
+                // Without branches: whether a facet sends is anybody's guess.
+                const auto add = [&](std::size_t from, float share) {
+                    *next = {unsent.value + from * unsent.stride, share};
+                    next += sending[from];
                 };
                 if (!rows.itself.empty() && rows.itself[f] > 0.0f) add(f, rows.itself[f]);
-                for (std::uint32_t k = rows.row[f]; k < rows.row[f + 1]; ++k) {
-                    add(rows.source[k], rows.factor[k]);
-                }
+                for (std::uint32_t k = first; k < last; ++k) add(source[k], factor[k]);
+                const std::span senders(std::as_const(list).data(), next);
                 reached[f] = !senders.empty();
                 if (reached[f]) interreflection::gather(senders, count, &arrived[f * count]);
             }

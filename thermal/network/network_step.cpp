@@ -11,6 +11,7 @@ namespace diurna {
 namespace {
 
 constexpr double at_rest = 1e-10;   // [K] of a correction, where next to none does
+constexpr double nearly = 1e-3;     // of the heat that flows: so near that Newton's step is right
 constexpr double warmest = 5000.0;  // [K] no step of Newton's leads beyond
 
 /// σ R (T² + T*²)(T + T*): what a kelvin between a face and its radiant mean carries.
@@ -204,6 +205,10 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         move(state.lump, missing_.lump);
         if (most < at_rest) {
             left = 0.0;  // a share of next to nothing reports nothing
+            break;
+        }
+        if (!confirmed && left < nearly && reach == 1.0 && 2.0 * linear_error * left <= closed) {
+            left = closed;
             break;
         }
     }

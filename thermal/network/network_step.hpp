@@ -51,6 +51,9 @@ class NetworkStepper {
     NetworkState state;
     NetworkCount count;
     double closed = 4e-9;
+    /// Whether a stage ends with a look at what its residual is; else it may end where Newton's
+    /// next step is sure to be within `closed`, and counts as that.
+    bool confirmed = true;
     /// Of an earlier march, for the guesses of this one; null: none. Its step must have begun.
     NetworkCourse* course = nullptr;
 

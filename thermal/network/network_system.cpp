@@ -20,6 +20,11 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return ((part[0] + part[1]) + (part[2] + part[3])) +
            ((part[4] + part[5]) + (part[6] + part[7]));
 }
+/// Whether a factor for steps of one length serves steps of another.
+bool alike(double factored_tau, double tau) {
+    constexpr double most = 1.2;
+    return factored_tau >= tau / most && factored_tau <= tau * most;
+}
 double norm(const std::vector<double>& a) { return std::sqrt(dot(a, a)); }
 
 /// y += scale · (B x − β (β·x) less), B a facet's sideways flow.
@@ -153,8 +158,13 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
     for (std::size_t k = 0; k < lump_own_.size(); ++k) {
         lump_own_[k] = network_.lump[k].capacity / tau;
     }
-    constexpr double alike = 1.2;
-    if (factored_tau_ < tau / alike || factored_tau_ > tau * alike) prepare();
+    now_ = factor_for(tau);
+    if (!alike(factor_[now_].tau, tau)) prepare();
+}
+
+std::size_t NetworkSystem::factor_for(double tau) const {
+    if (alike(factor_[now_].tau, tau) || factor_[now_].tau == 0.0) return now_;
+    return 1 - now_;
 }
 
 void NetworkSystem::prepare() {
@@ -223,8 +233,8 @@ void NetworkSystem::prepare() {
     const auto size = Eigen::Index(unknowns());
     Eigen::SparseMatrix<float> left(size, size);
     left.setFromTriplets(entry.begin(), entry.end());
-    factor_.compute(left);
-    factored_tau_ = tau_;
+    factor_[now_].of.compute(left);
+    factor_[now_].tau = tau_;
 }
 
 void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) {
@@ -295,7 +305,7 @@ int NetworkSystem::conjugate_gradients(const std::vector<double>& b, std::vector
     const int most = 2000;
     int i = 0;
     for (; i < most && norm(r) > enough; ++i) {
-        factor_.solve(r, z);
+        factor_[now_].of.solve(r, z);
         const double next = dot(r, z), onward = i == 0 ? 0.0 : next / rz;
         rz = next;
         for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + onward * p[k];
@@ -324,13 +334,13 @@ int NetworkSystem::stabilised(const std::vector<double>& b, std::vector<double>&
         for (std::size_t k = 0; k < n; ++k) {
             p[k] = r[k] + beta * (p[k] - omega * v[k]);
         }
-        factor_.solve(p, y);
+        factor_[now_].of.solve(p, y);
         apply(y, v);
         alpha = rho / dot(shadow, v);
         for (std::size_t k = 0; k < n; ++k) {
             s[k] = r[k] - alpha * v[k];
         }
-        factor_.solve(s, z);
+        factor_[now_].of.solve(s, z);
         apply(z, t);
         const double tt = dot(t, t);
         omega = tt > 0.0 ? dot(t, s) / tt : 0.0;
@@ -357,7 +367,7 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
     const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
                                                    : stabilised(b, x, relative_error);
     constexpr int outworn = 10;
-    if (iterations > outworn) factored_tau_ = 0.0;
+    if (iterations > outworn) factor_[now_].tau = 0.0;
     for_each_index(
         facet_.size(), [&](std::size_t f) { follow_column(f, x, residual.node); }, 512);
     std::copy(x.begin(), x.begin() + std::ptrdiff_t(lumps), residual.edge.begin());

@@ -101,6 +101,8 @@ class NetworkSystem {
     void find_places();
     void condense(std::size_t f, double tau, const Ends& ends);
     void apply(const std::vector<double>& x, std::vector<double>& y);
+    /// The factor for steps of about this length, else the other one, outdated.
+    std::size_t factor_for(double tau) const;
     /// Factorises the remaining matrix.
     void prepare();
     int conjugate_gradients(const std::vector<double>& b, std::vector<double>& x, double error);
@@ -116,8 +118,13 @@ class NetworkSystem {
     std::vector<double> follows_;  // (node) δ of it per δ of the node before it
     std::vector<Condensed> facet_;
     std::vector<double> lump_own_;  // [W K⁻¹] C/τ
-    SparseFactor factor_;           // of the remaining matrix
-    double factored_tau_ = 0.0;     // [s] at factorisation; 0: none, or outdated
+    /// Of the remaining matrix, for steps of one length and of another.
+    struct Factor {
+        SparseFactor of{};
+        double tau = 0.0;  // [s] at factorisation; 0: none, or outdated
+    };
+    std::array<Factor, 2> factor_;
+    std::size_t now_ = 0;  // the factor in use
     Given given_;
 };
 

@@ -1,5 +1,6 @@
 #include "thermal/solve/facet_exchange.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 
@@ -283,30 +284,50 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
         });
 }
 
+namespace {
+
+/// The same of `groups` groups of eight instants from `first` on.
+template <std::size_t groups>
+void arriving_lanes(const FacetViews& view, std::span<const float> leaving, std::size_t facet,
+                    std::size_t first, std::span<float> excess) {
+    using Lane = Eigen::Array<float, 8, 1>;
+    const std::size_t instants = excess.size();
+    const auto sent = [&](std::size_t f, std::size_t g) {
+        return Eigen::Map<const Lane>(leaving.data() + f * instants + first + 8 * g);
+    };
+    const float itself = seen_as_itself(view, facet);
+    Lane sum[groups];
+    for (std::size_t g = 0; g < groups; ++g) sum[g] = itself * sent(facet, g);
+    const std::size_t end = view.others.row[facet + 1];
+    for (std::size_t k = view.others.row[facet]; k < end; ++k) {
+        const float factor = view.others.factor[k];
+        const std::size_t from = view.others.facet[k];
+        for (std::size_t g = 0; g < groups; ++g) sum[g] += factor * sent(from, g);
+    }
+    for (std::size_t g = 0; g < groups; ++g) {
+        Eigen::Map<Lane>(excess.data() + first + 8 * g) = sum[g];
+    }
+}
+
+}  // namespace
+
 void arriving_longwave(const FacetViews& view, std::span<const float> leaving, std::size_t facet,
                        std::span<float> excess) {
-    constexpr std::size_t width = PackedField::run;
     const std::size_t instants = excess.size();
-    const std::size_t begin = view.others.row[facet], end = view.others.row[facet + 1];
+    std::size_t first = 0;
+    for (; first + 64 <= instants; first += 64) {
+        arriving_lanes<8>(view, leaving, facet, first, excess);
+    }
+    for (; first + 16 <= instants; first += 16) {
+        arriving_lanes<2>(view, leaving, facet, first, excess);
+    }
     const float itself = seen_as_itself(view, facet);
-    for (std::size_t first = 0; first < instants; first += width) {
-        const std::size_t n = std::min(width, instants - first);
-        alignas(64) float sum[width];
-        const auto add = [&](std::size_t count) __attribute__((always_inline)) {
-            const float* const own = leaving.data() + facet * instants + first;
-            for (std::size_t i = 0; i < count; ++i) sum[i] = itself * own[i];
-            for (std::size_t k = begin; k < end; ++k) {
-                const float factor = view.others.factor[k];
-                const float* const sent = leaving.data() + view.others.facet[k] * instants + first;
-                for (std::size_t i = 0; i < count; ++i) sum[i] += factor * sent[i];
-            }
-        };
-        if (n == width) {
-            add(width);
-        } else {
-            add(n);
+    for (; first < instants; ++first) {
+        float sum = itself * leaving[facet * instants + first];
+        for (std::size_t k = view.others.row[facet]; k < view.others.row[facet + 1]; ++k) {
+            sum += view.others.factor[k] * leaving[view.others.facet[k] * instants + first];
         }
-        std::copy_n(sum, n, excess.begin() + std::ptrdiff_t(first));
+        excess[first] = sum;
     }
 }
 

@@ -219,7 +219,12 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     // While neighbours still change, once each time, from the start that the time before has found.
     const bool once = !first && (in_hours || open > usual_loss_of_network * repeats_within);
     const int most_marches = once ? 1 : 12;
-    NetworkStepper stepper(target.object->network);
+    if (!target.stepper) {
+        target.stepper = std::make_unique<NetworkStepper>(target.object->network);
+        target.period = std::make_unique<NetworkPeriod>(target.object->network);
+    }
+    NetworkStepper& stepper = *target.stepper;
+    NetworkPeriod& period = *target.period;
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
     const bool leads_in = solve_.options.leads_in;
     const bool last = target.closed && (!leads_in || solve_.record);
@@ -227,6 +232,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
                nothing_known = far && open >= unknown;
     const bool roughly = in_hours || far || (leads_in && !target.closed);
     stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
+    stepper.confirmed = last;
     target.level = level.stride;
     const std::size_t stride_before = target.stride;
     const double longest = in_hours || nothing_known    ? any_step
@@ -243,7 +249,6 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         target.start = flat(stepper.state);
     }
     stepper.course = &target.course;
-    NetworkPeriod period(target.object->network);
     const double span = solve_.step * double(solve_.steps());
     for (int i = 0; i < most_marches; ++i) {
         stepper.count = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "thermal/network/network_step.hpp"
@@ -55,6 +56,8 @@ class NetworkFacets {
         double residual = 0.0;                       // [K] |P(T) − T|
         double move = 0.0;                           // [K] of the start after it
         NetworkCourse course{};                      // of the last run
+        std::unique_ptr<NetworkStepper> stepper{};   // with its factors, from run to run
+        std::unique_ptr<NetworkPeriod> period{};
         NetworkCount count{};
         bool closed = false;  // may have been the last run
     };

@@ -20,11 +20,12 @@ constexpr double repeats_within = 3e-3;         // [K] of a period that is found
 constexpr double repeats_in_hours = 0.3;        // [K] of one that is only a first guess
 constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
-constexpr double soon_done = 0.4;  // [W m⁻²] of neighbours' heat, where a run may be the last
+constexpr double soon_done = 0.4;    // [W m⁻²] of neighbours' heat, where a run may be the last
+constexpr double nearly_done = 4.0;  // [W m⁻²] likewise: a rough march would leave as much
 constexpr std::size_t stages_of_step = 2;
 
-/// What a march may leave of the heat that flows: the last one; one of a day that only leads to the
-/// span, or before the last; one whose neighbours are far from known.
+/// What a march may leave of the heat that flows: where neighbours are nearly known; before; where
+/// they are far from known.
 constexpr double last_closes = 4e-9, others_close = 1e-5, first_closes = 1e-4;
 
 /// Instants from step to step of a march whose neighbours are not known at all: no more than a
@@ -126,7 +127,7 @@ double NetworkFacets::moved(const Target& target) const {
 /// [K] of a day from what many more would lead to, and of what neighbours' heat has changed since.
 double NetworkFacets::error(const Target& target) const {
     const double open = solve_.options.periodic ? target.move : 0.0;
-    return std::max(open, target.closed ? moved(target) / usual_loss_of_network : 0.0);
+    return std::max(open, moved(target) / usual_loss_of_network);
 }
 
 bool NetworkFacets::rests(const Target& target) const {
@@ -176,7 +177,7 @@ void NetworkFacets::put_down(std::size_t i, const NetworkStepper& stepper,
     around.follow(i, outer, inner);
 }
 
-void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
+void NetworkFacets::march(double longest, NetworkSurroundings& around, NetworkStepper& stepper,
                           NetworkPeriod& period, Target& target) const {
     const std::size_t values = (around.steps() + 1) * target.object->size();
     target.kelvin.resize(values);
@@ -191,14 +192,17 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
     put_down(0, stepper, around, target);
     const double level_step = solve_.step * double(target.stride);
     const double step = solve_.step / solve_.options.refinement;
-    const auto parts_of = [&](double longest) {
-        return solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest - 1e-9)));
+    const auto parts_of = [&](double most) {
+        return solve_.options.refinement * int(std::max(1.0, std::ceil(step / most - 1e-9)));
     };
-    const int own = parts_of(target.longest), fewer = std::min(own, parts_of(longest_straight));
+    const int own = parts_of(longest), fewer = std::min(own, parts_of(longest_straight));
+    target.parts.resize(around.steps(), 0);
     Bend bend;
     bend.add(stepper.state.node);
     for (std::size_t i = 0; i < around.steps(); ++i) {
-        const int parts = bend.rms() < straight ? fewer : own;
+        // Never fewer again: neighbours would not settle between two ways of stepping.
+        int& parts = target.parts[i];
+        parts = std::max(parts, bend.rms() < straight ? fewer : own);
         target.course.begin_step(i, stages_of_step * std::size_t(parts));
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
@@ -230,9 +234,9 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const bool last = target.closed && (!leads_in || solve_.record);
     const bool far = !target.closed && open > far_from_alike,
                nothing_known = far && open >= unknown;
-    const bool roughly = in_hours || far || (leads_in && !target.closed);
-    stepper.closed = last ? last_closes : roughly ? first_closes : others_close;
-    stepper.confirmed = last;
+    const bool exactly = last || (!in_hours && open <= nearly_done), roughly = in_hours || far;
+    stepper.closed = exactly ? last_closes : roughly ? first_closes : others_close;
+    stepper.confirmed = exactly;
     target.level = level.stride;
     const std::size_t stride_before = target.stride;
     const double longest = in_hours || nothing_known    ? any_step
@@ -241,9 +245,10 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     target.stride = !in_hours && nothing_known ? rough_stride(solve_) : level.stride;
     NetworkSurroundings around(solve_, level, *target.object, target.stride);
     const bool other_steps = target.stride != stride_before;
-    if (other_steps) target.course.clear();
-    // Never longer again: where an engine starts, neighbours would not settle between the two.
-    target.longest = first || other_steps ? longest : std::min(target.longest, longest);
+    if (other_steps) {
+        target.course.clear();
+        target.parts.clear();
+    }
     if (target.start.empty()) {
         guess(target, around, stepper);
         target.start = flat(stepper.state);
@@ -253,7 +258,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     for (int i = 0; i < most_marches; ++i) {
         stepper.count = {};
         set_out(target.start, stepper);
-        march(around, stepper, period, target);
+        march(longest, around, stepper, period, target);
         target.end = flat(stepper.state);
         if (!solve_.options.periodic) break;
         const std::vector<double> onward = period.next(target.start, target.end, span);

@@ -49,7 +49,7 @@ class NetworkFacets {
     struct Target {
         const NetworkObject* object;
         std::size_t level = 1, stride = 1;           // of the last run, and of its steps
-        double longest = 0.0;                        // [s] parts of these, at most
+        std::vector<int> parts{};                    // (step) equal parts of it
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};                 // (instant of that, facet, side) input
         std::vector<double> start{}, end{};          // [K] nodes, then lumps
@@ -62,8 +62,9 @@ class NetworkFacets {
         bool closed = false;  // may have been the last run
     };
     void run(const Level& level, Target& target) const;
-    void march(NetworkSurroundings& around, NetworkStepper& stepper, NetworkPeriod& period,
-               Target& target) const;
+    /// - longest: [s] of a part of a step, where temperatures bend
+    void march(double longest, NetworkSurroundings& around, NetworkStepper& stepper,
+               NetworkPeriod& period, Target& target) const;
     void put_down(std::size_t i, const NetworkStepper& stepper, NetworkSurroundings& around,
                   Target& target) const;
     void guess(const Target& target, NetworkSurroundings& around, NetworkStepper& stepper) const;

@@ -20,8 +20,8 @@ constexpr double repeats_within = 3e-3;         // [K] of a period that is found
 constexpr double repeats_in_hours = 0.3;        // [K] of one that is only a first guess
 constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
-constexpr double soon_done = 0.4;    // [W m⁻²] of neighbours' heat, where a run may be the last
-constexpr double nearly_done = 4.0;  // [W m⁻²] likewise: a rough march would leave as much
+/// [W m⁻²] of neighbours' heat, where a run may be the last: a rough march would leave as much.
+constexpr double nearly_done = 4.0;
 constexpr std::size_t stages_of_step = 2;
 
 /// What a march may leave of the heat that flows: where neighbours are nearly known; before; where
@@ -130,9 +130,8 @@ double NetworkFacets::error(const Target& target) const {
     return std::max(open, moved(target) / usual_loss_of_network);
 }
 
-bool NetworkFacets::rests(const Target& target) const {
-    if (!target.closed || solve_.record) return false;
-    return error(target) <= solve_.options.settled;
+bool NetworkFacets::rests(const Target& target, double limit) const {
+    return target.closed && !solve_.record && error(target) <= limit;
 }
 
 /// In balance with the span's mean; where that has no end, as warm as the blocks have it.
@@ -229,14 +228,13 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     }
     NetworkStepper& stepper = *target.stepper;
     NetworkPeriod& period = *target.period;
-    target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
+    target.closed = !in_hours && (open <= nearly_done || solve_.excess.empty() || solve_.record);
     const bool leads_in = solve_.options.leads_in;
     const bool last = target.closed && (!leads_in || solve_.record);
     const bool far = !target.closed && open > far_from_alike,
                nothing_known = far && open >= unknown;
-    const bool exactly = last || (!in_hours && open <= nearly_done), roughly = in_hours || far;
-    stepper.closed = exactly ? last_closes : roughly ? first_closes : others_close;
-    stepper.confirmed = exactly;
+    stepper.closed = target.closed ? last_closes : in_hours || far ? first_closes : others_close;
+    stepper.confirmed = target.closed;
     target.level = level.stride;
     const std::size_t stride_before = target.stride;
     const double longest = in_hours || nothing_known    ? any_step
@@ -273,7 +271,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
 void NetworkFacets::pass(SolveState& solve, const Level& level) {
     std::vector<Target*> waiting;
     for (Target& target : target_) {
-        if (!rests(target)) waiting.push_back(&target);
+        if (!rests(target, solve_.options.settled)) waiting.push_back(&target);
     }
     for_each_index(
         waiting.size(), [&](std::size_t t) { run(level, *waiting[t]); }, 1);
@@ -304,9 +302,9 @@ void NetworkFacets::put(SolveState& solve) const {
     }
 }
 
-bool NetworkFacets::at_rest() const {
+bool NetworkFacets::at_rest(double limit) const {
     return std::all_of(target_.begin(), target_.end(),
-                       [&](const Target& target) { return rests(target); });
+                       [&](const Target& target) { return rests(target, limit); });
 }
 
 double NetworkFacets::moved() const {

@@ -42,8 +42,8 @@ class NetworkFacets {
         std::size_t facets = 0;
     };
     Summary summary() const;
-    /// Whether another pass would change nothing significant.
-    bool at_rest() const;
+    /// Whether another pass would change no more than so much [K].
+    bool at_rest(double limit) const;
 
  private:
     struct Target {
@@ -70,7 +70,7 @@ class NetworkFacets {
     void guess(const Target& target, NetworkSurroundings& around, NetworkStepper& stepper) const;
     double moved(const Target& target) const;
     double error(const Target& target) const;
-    bool rests(const Target& target) const;
+    bool rests(const Target& target, double limit) const;
 
     const SolveState& solve_;
     const bool near_;

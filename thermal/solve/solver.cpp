@@ -212,8 +212,8 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     // Dew that a second pass finds moves its neighbours' longwave by less than that.
     const bool unseen =
         single.fresh && !solve.excess.empty() && !(options.quick && report.passes > 1);
-    report.within_error = report.estimated_error <= settled && !unseen && targets.at_rest() &&
-                          targets.summary().limited == 0;
+    report.within_error = report.estimated_error <= settled && !unseen &&
+                          targets.at_rest(settled) && targets.summary().limited == 0;
     report.converged = report.within_error && report.periodic_residual <= options.tolerance;
 }
 
@@ -244,7 +244,14 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         return report.passes < options.max_passes ||
                (report.passes < 2 * options.max_passes && nearing.nearer());
     };
+    // Where passes no longer bring it nearer, the error that temperatures may have decides; a
+    // column that only gathers heat has no such estimate, but its residual stays.
+    const auto within = [&] {
+        return report.within_error && report.periodic_residual <= options.settled;
+    };
+    constexpr int many_passes = 6;
     while (!report.converged && goes_on()) {
+        if (report.passes > many_passes && within() && !nearing.nearer()) break;
         {
             const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
             const double done = std::min(0.95, report.passes / usual_passes);
@@ -267,9 +274,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
             options.tell(what_is_left(solve, points, targets, report));
         }
     }
-    // Where passes no longer bring it nearer, the error that temperatures may have decides; a
-    // column that only gathers heat has no such estimate, but its residual stays.
-    report.converged = report.within_error && report.periodic_residual <= options.settled;
+    report.converged = within();
     points.put(solve);
     targets.put(solve);
 }

@@ -54,7 +54,7 @@ FollowedRays of_a_view(const Scene& scene, const World& world, const Weather& we
 
 /// Adds what its pictures take of rays that go on, and returns that of one view.
 FollowedRays add_onward(const FollowedRays& each, double views, double pictures, PictureWork& work,
-                        OnwardLight& light) {
+                        FollowedLight& light) {
     work.followed_rays += views * each.rays;
     light.secondary += each.secondary * pictures;
     light.lobes += std::sqrt(each.in_lobes) * pictures;
@@ -96,6 +96,7 @@ PictureWork picture_work(const Scene& scene, const World& world, const Weather& 
         for (const std::string& cube : observer.cubes) channels += channels_of(scene, cube);
         work.pictures += bands * frames;
         work.pixels += pixels * bands * frames;
+        work.surface_pixels += pixels * observer.surfaces * bands * frames;
         work.channel_pictures += channels * frames;
         work.channel_pixels += pixels * channels * frames;
         const double planes = planes_of_picture + bands * (observer.terms ? 8.0 : 2.0);
@@ -108,7 +109,8 @@ PictureWork picture_work(const Scene& scene, const World& world, const Weather& 
         work.largest_view =
             std::max(work.largest_view,
                      pixels * (plan_costs.view_pixel + behind + plan_costs.plane_value * planes +
-                               plan_costs.channel_value * channels) +
+                               plan_costs.channel_value * channels +
+                               plan_costs.surface_value * observer.surfaces * bands) +
                          plan_costs.secondary_bytes * each.secondary);
     }
     for (const InstrumentInput& input : scene.instruments) {

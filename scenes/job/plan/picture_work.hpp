@@ -12,7 +12,7 @@
 namespace diurna {
 
 /// Light of rays that go on, in each picture of a band.
-struct OnwardLight {
+struct FollowedLight {
     double secondary = 0.0;  // hits (FollowedRays::secondary)
     double lobes = 0.0;      // roots of the pixels in lobes
 };
@@ -20,11 +20,12 @@ struct OnwardLight {
 /// What pictures of observers take.
 struct PictureWork {
     double pictures = 0.0, pixels = 0.0;                  // of bands
+    double surface_pixels = 0.0;                          // and surfaces of pixels (`surfaces`)
     double channel_pictures = 0.0, channel_pixels = 0.0;  // of cubes
-    double followed_rays = 0.0;    // that go on, of all views and instruments' views
-    OnwardLight onward{};          // of bands
-    OnwardLight of_instruments{};  // of their pictures
-    double largest_view = 0.0;     // [bytes]
+    double followed_rays = 0.0;      // that go on, of all views and instruments' views
+    FollowedLight onward{};          // of bands
+    FollowedLight of_instruments{};  // of their pictures
+    double largest_view = 0.0;       // [bytes]
 };
 
 /// - rays, sequences: of the observers; without them no pixel sends rays on

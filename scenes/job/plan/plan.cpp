@@ -60,7 +60,7 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
     return seconds;
 }
 
-double onward_seconds(const OnwardLight& light) {
+double onward_seconds(const FollowedLight& light) {
     return plan_costs.secondary_per_hit * light.secondary + plan_costs.lobes_per_root * light.lobes;
 }
 
@@ -155,6 +155,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, co
                              threads},
         {StageId::frames,
          (through * plan_costs.render_per_pixel * work.pictures.pixels +
+          plan_costs.render_per_surface * work.pictures.surface_pixels +
           plan_costs.air_per_band * work.pictures.pictures + onward_seconds(work.pictures.onward) +
           plan_costs.render_per_channel * work.pictures.channel_pixels +
           plan_costs.air_per_channel * work.pictures.channel_pictures +

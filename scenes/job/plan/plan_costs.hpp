@@ -34,8 +34,8 @@ struct PlanCosts {
     double point = 5e-3;             // of one solved individually (thermal/solve/point_facets.hpp)
     double lane_by_steps = 1.7e-3;   // number of these per step of a day
     double lane_day_more = 0.35;     // a further day, relative to the first, repeated one
-    double network_day = 1.05e-3;    // of a facet of a network (thermal/solve/network_facets)
-    double network_step = 2.2e-6;    // and step of it
+    double network_day = 0.8e-3;     // of a facet of a network (thermal/solve/network_facets)
+    double network_step = 1.7e-6;    // and step of it
     double network_lead_in = 0.4;    // a repeated day before the span, relative to one of it
     double network_day_more = 0.73;  // a further day, relative to the first, repeated one
     double flux_passes = 1.3;        // if the terms of the heat balance are written
@@ -46,16 +46,17 @@ struct PlanCosts {
     double patch_day = 0.33e-3;      // of its heat balance, and
     double patch_step = 1e-6;        // each step
     // [s] Pictures.
-    double cast_per_ray = 0.046e-6;     // including its hit
-    double render_per_pixel = 0.83e-6;  // and band
-    double air_per_band = 0.024;        // and frame: tables of paths and backgrounds
-    double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
-    double secondary_per_ray = 1.3e-6;  // off water or a mirror, through a pane or a net
-    double secondary_per_hit = 0.7e-6;  // of those, and band and frame
-    double lobes_per_root = 2.2e-3;     // and band, frame: root of the pixels of rough mirrors and
-                                        // water; what their lobes meet is shared, the more the more
-                                        // there are
-    double air_per_channel = 0.027;     // of a cube, and frame
+    double cast_per_ray = 0.046e-6;       // including its hit
+    double render_per_pixel = 0.83e-6;    // and band
+    double render_per_surface = 0.55e-6;  // of a pixel with planes of its own, and band
+    double air_per_band = 0.024;          // and frame: tables of paths and backgrounds
+    double light_per_facet = 0.1e-6;      // and frame: its sun and temperature
+    double secondary_per_ray = 1.3e-6;    // off water or a mirror, through a pane or a net
+    double secondary_per_hit = 0.7e-6;    // of those, and band and frame
+    double lobes_per_root = 2.2e-3;  // and band, frame: root of the pixels of rough mirrors and
+                                     // water; what their lobes meet is shared, the more the more
+                                     // there are
+    double air_per_channel = 0.027;  // of a cube, and frame
     double render_per_channel = 0.12e-6;
     double blur_per_sample = 0.7e-6;  // of an instrument's radiance and frame
     double detect_per_pixel = 1.0e-6;
@@ -70,7 +71,7 @@ struct PlanCosts {
     double solved_step = 7.0;       // each step of a day: temperature, longwave, its exchange,
     double sunlit_step = 6.0;       // and more of steps with the sun up
     double pictured_facet = 700.0;  // light and radiosity, in pictures
-    double network_facet = 1800.0;  // of a network, and
+    double network_facet = 8000.0;  // of a network: rows, factors, stages; and
     double row_entry = 8.0;         // of a facet's row of view factors, and
     double sampled_entry = 32.0;    // while these are made reciprocal
     double stage_facet = 390.0;     // of a further stage of moving objects: geometry, rays, sun
@@ -79,6 +80,7 @@ struct PlanCosts {
     double network_facet_step = 24.0;     // and step, of no more than a day
     double wet_facet = 4000.0;            // of one with dew, rain or snow, and
     double freezing_facet = 4000.0;       // more of one whose water freezes, in lanes
+    double surface_value = 180.0;  // of a surface of a pixel with planes of its own, and band
     double view_pixel = 160.0;
     double secondary_bytes = 110.0;    // of a hit of rays that go on
     double instrument_sample = 100.0;  // of radiance

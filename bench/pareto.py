@@ -55,9 +55,9 @@ frames = ["2026-07-10T08:00:00Z", "2026-07-10T14:00:00Z", "2026-07-10T23:00:00Z"
 '''
 
 
-def made_scene(name, folder):
-    """A scene by formula: raster, weather, TOML."""
-    n, cell = 121, 5.0
+def made_scene(name, folder, posts=121):
+    """A scene by formula: raster of so many posts of 5 m each way, weather, TOML."""
+    n, cell = posts, 5.0
     x = (np.arange(n) - (n - 1) / 2) * cell
     east, north = np.meshgrid(x, -x)
     if name == "desert":

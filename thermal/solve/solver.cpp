@@ -207,13 +207,12 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     // The steps of wet facets are as long as their water asks: from pass to pass they differ, and
     // with them what the neighbours get, by some hundredths of a kelvin.
     constexpr double wet_steps = 0.05;
-    const double settled =
-        single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
+    report.limit = single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
     // Dew that a second pass finds moves its neighbours' longwave by less than that.
     const bool unseen =
         single.fresh && !solve.excess.empty() && !(options.quick && report.passes > 1);
-    report.within_error = report.estimated_error <= settled && !unseen &&
-                          targets.at_rest(settled) && targets.summary().limited == 0;
+    report.within_error = report.estimated_error <= report.limit && !unseen &&
+                          targets.at_rest(report.limit) && targets.summary().limited == 0;
     report.converged = report.within_error && report.periodic_residual <= options.tolerance;
 }
 

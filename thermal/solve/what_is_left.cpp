@@ -62,7 +62,7 @@ std::string what_is_left(const SolveState& solve, const PointFacets& points,
                             options.tolerance);
     }
     line += fmt::format("{} error {:.2g} K (limit {:g} K)", options.periodic ? "," : ":",
-                        report.estimated_error, options.settled);
+                        report.estimated_error, report.limit);
     if (!options.periodic) return line;
     return fmt::format("{}, largest: {}", line, furthest_facets(solve, points, targets));
 }

@@ -36,10 +36,7 @@ struct LevelCurves {
                 w.value_high,
                 w.slope_high};
     }
-    double at(const HermiteWeights& w, std::size_t column) const {
-        return w.value_low * value[w.low][column] + w.slope_low * slope[w.low][column] +
-               w.value_high * value[w.low + 1][column] + w.slope_high * slope[w.low + 1][column];
-    }
+    double at(const HermiteWeights& w, std::size_t column) const { return row(w)[column]; }
 };
 
 }  // namespace diurna

@@ -42,7 +42,7 @@ float narrowness(float sky_view);
 /// - sky: T_k relative to the sun
 /// - normal: of the facet, unit, with x towards the sun in plan
 NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal);
-/// The same for many facets at once, some tens: a fifth of the time for each.
+/// The same for many facets at once, some tens: eight side by side.
 void narrow_views(std::span<const SkyVector> sky, std::span<const Eigen::Vector3f> normal,
                   std::span<NarrowView> view);
 

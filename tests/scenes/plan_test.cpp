@@ -39,7 +39,7 @@ double seconds_of(StageId stage, const Plan& plan) {
     return seconds;
 }
 
-/// A crate that rests in so many places on its way.
+/// A crate that stops at so many places on its way.
 std::string crate_on_a_way(int places_of_rest) {
     std::string places, times;
     for (int i = 0; i < places_of_rest; ++i) {

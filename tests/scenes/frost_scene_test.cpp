@@ -111,10 +111,11 @@ TEST_CASE("a drop of rain leaves a closed box its inside", "[scenes][rain]") {
 
 namespace {
 
-/// Level ground of one material, with twelve patches of others, through a day of weather.
+/// A low hill of one material, with patches of others and further objects, through a day of
+/// weather.
 Prepared patches(const std::string& ground, const std::vector<std::string>& materials,
                  const std::string& day, double mean, double swing, double humidity, double rain,
-                 double step) {
+                 double step, const std::string& objects = "") {
     const ScratchFolder folder("patches");
     std::string raster = "ncols 12\nnrows 12\nxllcorner 500000\nyllcorner 5205000\ncellsize 10\n";
     for (int i = 0; i < 144; ++i) {
@@ -148,12 +149,13 @@ Prepared patches(const std::string& ground, const std::vector<std::string>& mate
             i, materials[i], 20.0 * double(i % 4) - 30.0, 20.0 * double(i / 4) - 20.0);
     }
     write_text(folder.path / "scene.toml",
-               scene + fmt::format("[weather]\nfile = \"weather.csv\"\n[time]\nstart = "
-                                   "{}T00:00:00Z\nduration_h = 24.0\nstep_s = {}\n"
-                                   "[[observer]]\nname = \"o\"\nplace_m = [0.0, -50.0]\n"
-                                   "height_above_ground_m = 30.0\nlook_at_m = [0.0, 0.0]\n"
-                                   "bands = [\"8-12\"]\n",
-                                   day, step));
+               scene + objects +
+                   fmt::format("[weather]\nfile = \"weather.csv\"\n[time]\nstart = "
+                               "{}T00:00:00Z\nduration_h = 24.0\nstep_s = {}\n"
+                               "[[observer]]\nname = \"o\"\nplace_m = [0.0, -50.0]\n"
+                               "height_above_ground_m = 30.0\nlook_at_m = [0.0, 0.0]\n"
+                               "bands = [\"8-12\"]\n",
+                               day, step));
     return prepare(read_scene(folder.path / "scene.toml"));
 }
 
@@ -183,4 +185,20 @@ TEST_CASE("days of frost, dew, rain and melting snow repeat within the tolerance
     CHECK(result.report.estimated_error <= SolveOptions{}.settled);
     CHECK(result.report.worst_energy_closure < 1e-6);
     CHECK(not_converged(result.report).empty());
+}
+
+TEST_CASE("frosty ground in the lee of a warm generator repeats its day",
+          "[scenes][frost][converges]") {
+    // Frost on ground in a lee once had the film of open ground, so that facets went from one film
+    // to the other and back whenever their neighbours' heat shifted the hour of freezing.
+    const Prepared prepared =
+        patches("grass", {}, "2026-01-10", 271.0, 6.0, 0.95, 0.0, 1200.0,
+                "[[object]]\nname = \"g\"\nmodel = \"generator\"\nplace_m = [0.0, 0.0]\ndetail = "
+                "\"low\"\nrunning = [\"00:00-12:00\"]\n");
+    Progress silent(ProgressStyle::silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent);
+    CAPTURE(result.report.passes, result.report.estimated_error, result.report.stores);
+    CHECK(result.report.stores > 50);
+    CHECK(result.report.converged);
+    CHECK(result.report.passes <= 8);
 }

@@ -6,6 +6,8 @@
 #include "materials/air/moist_air.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/surface/frost.hpp"
+#include "thermal/surface/plate_film.hpp"
+#include "thermal/surface/standing_water.hpp"
 
 using namespace diurna;
 
@@ -164,4 +166,35 @@ TEST_CASE("frost takes the heat of sublimation from the pressure over ice",
     water.wetness = 1.0;
     water.resistance = 0.0;
     CHECK(warm == Approx(latent_heat(water, {15.0, 0.0, 0.0}, 273.2).flux).epsilon(1e-9));
+}
+
+TEST_CASE("a trace of frost leaves ground in a lee as it is",
+          "[thermal][surface_exchange][frost]") {
+    // It hides a share d / (d + 5 z0) of the ground: of 1e-5 mm (50 nm) over grass 3e-7, so that no
+    // term may change by more than that share of some 100 W/m2. In the lee a third of the wind: the
+    // film of still air must be the lee's for frost too.
+    ThermalSurface grass = meadow();
+    const AirState air{.temperature = 276.0, .pressure = 9.5e4, .vapour_pressure = 550.0};
+    FilmPart lee;
+    lee.wind = 0.33f;
+    for (const double wind : {0.3, 1.0, 2.0}) {
+        SurfaceConditions bare;
+        bare.air = air_film(grass, louis_form(0.02, 0.002, 10.0, 2.0), air, wind);
+        bare.air.kind = FilmKind::sheltered_ground;
+        bare.natural = facet_film(grass.convection, 1.0, lee);
+        bare.longwave_in = 260.0;
+        bare.emissivity = 0.96;
+        bare.stores = true;
+        SurfaceConditions frosted = bare;
+        const SnowCover trace = snow_cover(1e-5, 0.02);
+        frosted.snow_conductance = trace.conductance;
+        frosted.phase_film = trace.phase_film;
+        for (const double ground : {265.0, 270.0, 273.1, 275.0}) {
+            CAPTURE(wind, ground);
+            const SurfaceTerms a = surface_terms(bare, ground), b = surface_terms(frosted, ground);
+            CHECK(b.into_ground == Approx(a.into_ground).margin(2e-3));
+            CHECK(b.balance.sensible == Approx(a.balance.sensible).margin(2e-3));
+            CHECK(b.radiometric == Approx(ground).margin(1e-3));
+        }
+    }
 }

@@ -22,7 +22,6 @@ struct FacetPoint {
     std::vector<SurfaceCover> cover{};                // (instant) of the last run; empty: no water
     double residual = 0.0, move = 0.0;                // [K]
     int passes = 0;
-    int runs = 0;  // each with new neighbours' longwave
     PointFacet::Count count{};
     double water_closure = 0.0;     // [kg m⁻²] of the last run
     StoreStart store{};             // water and snow at the start of a periodic span

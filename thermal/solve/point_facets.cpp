@@ -304,36 +304,11 @@ void PointFacets::run_groups(const Level& level, std::vector<FacetPoint*> waitin
         1);
 }
 
-namespace {
-
-/// Takes a share of what neighbours' longwave has changed since the last run. Where a small change
-/// of it freezes a surface an hour earlier, such surfaces would go to and fro with their
-/// neighbours.
-void slow_down(SolveState& solve, const FacetPoint& p, float share) {
-    const auto slow = [&](std::size_t facet, const std::vector<float>& before) {
-        if (before.size() != solve.excess.slots()) return;
-        std::vector<float> now(before.size());
-        solve.excess.get(facet, now.data());
-        for (std::size_t i = 0; i < now.size(); ++i) {
-            now[i] = before[i] + share * (now[i] - before[i]);
-        }
-        solve.excess.put(facet, now.data());
-    };
-    slow(p.facet, p.excess);
-    if (!p.back_excess.empty()) slow(back_of_point(solve, p), p.back_excess);
-}
-
-}  // namespace
-
 void PointFacets::pass(SolveState& solve, const Level& level) {
-    constexpr int usual_runs = 4;  // of a facet that comes nearer and nearer
     take_in(level);
     std::vector<FacetPoint*> alone, together;
     for (FacetPoint& p : point_) {
         if (!solve_.record && rests(p)) continue;
-        if (++p.runs > usual_runs && !solve_.record) {
-            slow_down(solve, p, 1.0f / float(1 + p.runs - usual_runs));
-        }
         (by_itself(level, p) ? alone : together).push_back(&p);
         if (!solve.relit.empty()) solve.relit[p.facet] = solve.relit[back_of_point(solve, p)] = 0;
     }

@@ -204,10 +204,10 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
     report.estimated_error = std::max(report.estimated_error, targets.summary().error);
-    // The steps of wet facets are as long as their water asks: from pass to pass they differ, and
-    // with them what the neighbours get, by some hundredths of a kelvin.
-    constexpr double wet_steps = 0.05;
-    report.limit = single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
+    // Water, snow and ground freeze and thaw at some step of a facet's own. From pass to pass this
+    // hour shifts, and with it what the neighbours get, by some hundredths of a kelvin.
+    constexpr double own_steps = 0.05;
+    report.limit = single.points > 0 ? std::max(options.settled, own_steps) : options.settled;
     // Dew that a second pass finds moves its neighbours' longwave by less than that.
     const bool unseen =
         single.fresh && !solve.excess.empty() && !(options.quick && report.passes > 1);

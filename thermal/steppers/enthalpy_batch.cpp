@@ -57,9 +57,11 @@ EnthalpySurface surface_of(const EnthalpyBatch& batch, const EnthalpyForcing& f,
     const ThermalSurface& surface = *batch.surface;
     const LaneAir& air = f.air[k];
     const double share = batch.fullest;
+    const bool sheltered = air.kind == FilmKind::sheltered_ground;
     for (std::size_t l = 0; l < W; ++l) {
         const bool stable = covered.met.cover[l] < no_snow && air.instability[l] > 0.0;
-        at.least_film[l] = stable && share > 0.0 ? air.neutral[l] * share + air.least[l] : 0.0;
+        const double neutral = air.neutral[l] * (sheltered ? batch.natural[l].laminar : 1.0);
+        at.least_film[l] = stable && share > 0.0 ? neutral * share + air.least[l] : 0.0;
         const double measured = f.measured_albedo[k][l];
         const double albedo = std::isnan(measured) ? covered.met.albedo[l] : measured;
         at.heat[l] = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * f.sunlight[k][l] +

@@ -46,9 +46,9 @@ double leaves_film(const SurfaceConditions& c, double leaf_area) {
 
 }  // namespace
 
-double fullest_film(const AirFilm& air) {
+double fullest_film(const AirFilm& air, const NaturalFilm& own) {
     if (air.instability <= 0.0 || air.s <= 0.0) return 0.0;
-    return air.neutral * fullest_share(air) + air.least;
+    return neutral_film(air, own) * fullest_share(air) + air.least;
 }
 
 double fullest_share(const AirFilm& air) {
@@ -61,7 +61,7 @@ double fullest_share(const AirFilm& air) {
 
 SurfaceTerms skin_terms(const SurfaceConditions& c, double joined, double ground) {
     SurfacePart leaves = whole_ground(c);
-    leaves.least_film = fullest_film(c.air);
+    leaves.least_film = fullest_film(c.air, c.natural);
     const double skin = root_of(
         [&](double t) {
             const PartTerms e = part_terms(c, leaves, t);
@@ -90,7 +90,7 @@ SurfaceTerms two_source_terms(const SurfaceConditions& c, const TwoSource& two, 
                              .internal = 0.0,
                              .resistance = two.leaf_resistance,
                              .wetness = 1.0,
-                             .least_film = fullest_film(c.air),
+                             .least_film = fullest_film(c.air, c.natural),
                              .leaf_film = leaves_film(c, two.leaf_area)};
     const auto leaf_balance = [&](double t) {
         const PartTerms e = part_terms(dry, canopy, t);

@@ -7,10 +7,9 @@ namespace diurna {
 /// The film at which stable air transports most heat [W m⁻² K⁻¹]: for colder surfaces Louis's
 /// film falls faster than the difference grows. Ground is stabilised by its heat capacity;
 /// leaves and snow's skin have none and would jump between two temperatures, so their film is
-/// limited.
-double fullest_film(const AirFilm& air);
-/// That over the neutral film, over such ground: AirFilm's `neutral` times this and
-/// `least`.
+/// limited. In the lee of objects it is less, as the wind is.
+double fullest_film(const AirFilm& air, const NaturalFilm& own);
+/// That over the neutral film, over such ground: neutral_film() times this and AirFilm's `least`.
 double fullest_share(const AirFilm& air);
 
 /// Leaves, or snow, that hide the ground, coupled to it by a skin's conductance [W m⁻² K⁻¹]: the

@@ -8,6 +8,12 @@ namespace diurna {
 // The balance of one face of a surface, for both scalar code and the loops over lanes
 // (thermal/kernels): no call, no branch.
 
+/// [W m⁻² K⁻¹] The film over ground as warm as the air; own: facet_film(), with the share of the
+/// wind
+[[gnu::always_inline]] inline double neutral_film(const AirFilm& air, const NaturalFilm& own) {
+    return air.kind == FilmKind::sheltered_ground ? air.neutral * own.laminar : air.neutral;
+}
+
 /// The film of a face.
 template <FilmKind Kind>
 [[gnu::always_inline]] inline Film film_of(const AirFilm& air, const NaturalFilm& own,

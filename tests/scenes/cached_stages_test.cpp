@@ -12,6 +12,7 @@
 #include "materials/base/files.hpp"
 #include "scenes/job/input/scene_file.hpp"
 #include "scenes/job/run/job.hpp"
+#include "scenes/job/store/stage_bytes.hpp"
 #include "scenes/job/store/stage_store.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -179,4 +180,33 @@ TEST_CASE("a cache keeps within its size, what was used last remains", "[scenes]
     const StageStore nowhere(folder.path / "file" / "kept", all);
     nowhere.keep("sky", "a", content);
     CHECK_FALSE(nowhere.find("sky", "a").has_value());
+}
+
+TEST_CASE("a large result is stored without a copy of it", "[scenes][cache]") {
+    // 10 000 facets with 20 others each: 1.7 MB, of which a copy may hold only the lengths.
+    constexpr std::size_t facets = 10'000, others = 20;
+    FacetViews views;
+    for (std::size_t f = 0; f < facets; ++f) {
+        views.sky.push_back(0.5f + 1e-5f * float(f));
+        views.below.push_back(0.25f);
+    }
+    views.others.row.push_back(0);
+    for (std::size_t f = 0; f < facets; ++f) {
+        for (std::size_t k = 0; k < others; ++k) {
+            views.others.facet.push_back(std::uint32_t((f + k) % facets));
+            views.others.factor.push_back(0.01f);
+        }
+        views.others.row.push_back(std::uint32_t(views.others.facet.size()));
+    }
+    const StageContent content = content_of(views);
+    CHECK(content.size() > facets * (2 + 2 * others) * sizeof(float));
+    std::size_t copied = 0;
+    for (const std::string& small : content.small) copied += small.capacity();
+    CHECK(copied < 10'000);
+    std::string whole;
+    for (const std::string_view piece : content.piece) whole += piece;
+    const FacetViews read = views_of(whole);
+    CHECK(read.sky == views.sky);
+    CHECK(read.others.facet == views.others.facet);
+    CHECK(read.others.row == views.others.row);
 }

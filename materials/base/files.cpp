@@ -1,5 +1,6 @@
 #include "materials/base/files.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,6 +14,37 @@
 namespace diurna {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Why no file can be created in an existing folder; "" if one can. Creates an empty one and
+/// removes it: permissions do not show what a file system of the kernel or the network permits.
+std::string why_no_file_in(const fs::path& folder) {
+    const fs::path trial = temporary_beside(folder / "trial");
+    const int file = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (file < 0) return std::strerror(errno);
+    ::close(file);
+    ::unlink(trial.c_str());
+    return "";
+}
+
+/// Throws InputError if a path does not name a file in a folder.
+void check_file_name(const fs::path& path) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(path, problem);
+    if (path.empty() || !path.has_filename()) {
+        throw InputError(path.string(), "is not a valid file name for output");
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        throw InputError(path.string(), "is not a regular file and would be replaced by results",
+                         "expected the name of a file");
+    }
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), problem)) {
+        throw InputError(path.string(), "cannot be written: the folder does not exist");
+    }
+}
+
+}  // namespace
 
 std::ifstream open_file(const fs::path& path, std::uintmax_t limit) {
     std::error_code code;
@@ -37,7 +69,7 @@ std::string read_text(const fs::path& path, std::size_t limit) {
 }
 
 void write_whole_file(const fs::path& path, std::span<const std::byte> bytes) {
-    check_output_file(path);
+    check_file_name(path);
     UnfinishedFile file(path);
     file.write(bytes);
     file.finish();
@@ -48,22 +80,17 @@ void write_whole_file(const fs::path& path, std::string_view text) {
 }
 
 void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs) {
+    check_file_name(path);
     std::error_code problem;
-    const fs::file_status status = fs::status(path, problem);
-    if (path.empty() || !path.has_filename()) {
-        throw InputError(path.string(), "is not a valid file name for output");
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        throw InputError(path.string(), "is not a regular file and would be replaced by results",
-                         "expected the name of a file");
-    }
-    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), problem)) {
-        throw InputError(path.string(), "cannot be written: the folder does not exist");
-    }
     for (const FileRead& input : inputs) {
         if (!fs::equivalent(path, input.path, problem)) continue;
-        throw InputError(path.string(), "is an input of this run and would be overwritten",
+        throw InputError(path.string(),
+                         "is an input or a result of this run and would be overwritten",
                          "choose another name");
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (const std::string why = why_no_file_in(folder); !why.empty()) {
+        throw InputError(path.string(), "cannot be written: " + why, "choose another folder");
     }
 }
 
@@ -81,8 +108,8 @@ std::string why_no_output_folder(const fs::path& folder) {
     if (!fs::is_directory(there, problem)) {
         return "cannot be created: " + there.string() + " is not a folder";
     }
-    if (::access(there.c_str(), W_OK | X_OK) == 0) return "";
-    const std::string reason = std::strerror(errno);
+    const std::string reason = why_no_file_in(there);
+    if (reason.empty()) return "";
     return fs::exists(status) ? "cannot be written to: " + reason
                               : "cannot be created in " + there.string() + ": " + reason;
 }

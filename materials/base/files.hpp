@@ -26,11 +26,12 @@ void write_whole_file(const std::filesystem::path& path, std::span<const std::by
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
 /// Throws InputError if results cannot be written to a path: it is a device, a pipe, a folder or
-/// one of the `inputs` of the results; or its folder does not exist.
+/// one of the `inputs` of the results; or its folder does not exist or takes no new file. Leaves
+/// nothing there.
 void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
 
 /// Why results cannot be written into a folder, which need not exist: it or one above is not a
-/// folder, or may not be written to; "" if they can. Writes nothing.
+/// folder, or takes no new file; "" if they can. Leaves nothing there.
 std::string why_no_output_folder(const std::filesystem::path& folder);
 
 }  // namespace diurna

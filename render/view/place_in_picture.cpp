@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace diurna {
 
@@ -33,6 +34,42 @@ std::optional<Eigen::Vector2d> place_of(const PixelRays& eye, const Eigen::Vecto
     }
     const double r = fisheye_radius(eye.projection, angle);
     return middle + Eigen::Vector2d(x, y) * (r / (across * eye.per_pixel));
+}
+
+/// The half-space of points with normal · (point − eye) ≥ least.
+struct HalfSpace {
+    Eigen::Vector3d normal;
+    double least = 0.0;
+    double beyond(const Eigen::Vector3d& away) const { return away.dot(normal) - least; }
+};
+
+/// In front of a pinhole or an orthographic camera; of a pinhole also as far from its axis as boxes
+/// reach (projected_box). Empty for other cameras.
+std::vector<HalfSpace> in_front(const Observer& observer, const PixelRays& eye) {
+    constexpr double widest = 80.0 * std::numbers::pi / 180.0;
+    if (!eye.flat && eye.projection != Projection::orthographic) return {};
+    std::vector<HalfSpace> all{{eye.axis, 1.01 * nearest_to_eye}};
+    if (!eye.flat) return all;
+    const double corner = 0.5 * std::hypot(observer.width, observer.height) * eye.column.norm();
+    const double reach = std::max(std::tan(widest), 2.0 * corner);
+    for (const Eigen::Vector3d& side : {eye.right, eye.down}) {
+        all.push_back({reach * eye.axis - side});
+        all.push_back({reach * eye.axis + side});
+    }
+    return all;
+}
+
+/// The part of a convex polygon in a half-space (Sutherland and Hodgman 1974).
+std::vector<Eigen::Vector3d> clipped(const std::vector<Eigen::Vector3d>& corner,
+                                     const HalfSpace& space) {
+    std::vector<Eigen::Vector3d> kept;
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        const Eigen::Vector3d &a = corner[i], &b = corner[(i + 1) % corner.size()];
+        const double at_a = space.beyond(a), at_b = space.beyond(b);
+        if (at_a >= 0.0) kept.push_back(a);
+        if ((at_a < 0.0) != (at_b < 0.0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+    }
+    return kept;
 }
 
 }  // namespace
@@ -66,23 +103,18 @@ std::optional<PictureBox> projected_box(const Observer& observer, const FacetSet
         box->bottom = std::max(box->bottom, at->y());
         return at;
     };
-    const bool one_sided = eye.flat || eye.projection == Projection::orthographic;
+    const std::vector<HalfSpace> front = in_front(observer, eye);
     const double half_turn = std::numbers::pi / eye.per_pixel;  // of a panorama [pixels]
     bool over_seam = false;
     for (const std::uint32_t f : facet) {
-        std::array<Eigen::Vector3d, 3> corner;
-        std::array<double, 3> beyond;  // the nearest plane
-        std::array<std::optional<Eigen::Vector2d>, 3> seen;
-        for (std::size_t i = 0; i < 3; ++i) {
-            corner[i] = facets.vertex[facets.corner[f][i]].cast<double>();
-            beyond[i] = (corner[i] - observer.position).dot(eye.axis) - 1.01 * nearest_to_eye;
+        std::vector<Eigen::Vector3d> corner;  // from the eye
+        for (const std::uint32_t v : facets.corner[f]) {
+            corner.push_back(facets.vertex[v].cast<double>() - observer.position);
         }
-        for (std::size_t i = 0; i < 3; ++i) {
-            seen[i] = extend(corner[i]);
-            const std::size_t j = (i + 1) % 3;
-            if (!one_sided || (beyond[i] < 0.0) == (beyond[j] < 0.0)) continue;
-            extend(corner[i] + beyond[i] / (beyond[i] - beyond[j]) * (corner[j] - corner[i]));
-        }
+        for (const HalfSpace& space : front) corner = clipped(corner, space);
+        std::vector<std::optional<Eigen::Vector2d>> seen;
+        for (const Eigen::Vector3d& away : corner) seen.push_back(extend(observer.position + away));
+        if (!front.empty()) continue;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto &a = seen[i], &b = seen[(i + 1) % 3];
             over_seam = over_seam || (a && b && std::abs(a->x() - b->x()) > half_turn);

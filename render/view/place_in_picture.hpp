@@ -28,10 +28,13 @@ struct PictureBox {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 };
 
-/// Around triangles projected completely, even if hidden; the part behind a pinhole is cut off.
-/// Exact for projections that keep lines straight (pinhole, orthographic) and cameras at rest; for
-/// the others around the corners, and for triangles across a panorama's seam behind it over the
-/// whole width. Nothing if none is in front.
+/// Around triangles projected completely, even if hidden. The part behind a camera is cut off, and
+/// of a pinhole, whose picture has no end, what is more than 80 degrees to the side of its axis or
+/// above or below it (in pictures whose corner is beyond 70.6 degrees: twice as far out as that
+/// corner): the ground beneath a level camera would be a box without end. Exact for projections
+/// that keep lines straight (pinhole, orthographic) and cameras at rest; for the others around the
+/// corners, and for triangles across a panorama's seam behind it over the whole width. Nothing if
+/// none is in front.
 ///
 /// - facet: indices of the triangles
 std::optional<PictureBox> projected_box(const Observer& observer, const FacetSet& facets,

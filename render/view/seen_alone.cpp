@@ -33,6 +33,12 @@ SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const Pict
         const Eigen::Vector3d from = observer.position + eye.start(x, y);
         return Ray{.origin = from.cast<float>(), .direction = eye.towards(x, y).cast<float>()};
     };
+    // The box of a pinhole at rest is exact, and may end where the object does not.
+    const bool exact = eye.flat && eye.row_way.isZero() && eye.row_turn.isZero();
+    const auto beyond = [&](std::int64_t column, std::int64_t row) {
+        const double x = double(column) + 0.5, y = double(row) + 0.5;
+        return exact && (x < box.left || x > box.right || y < box.top || y > box.bottom);
+    };
     const auto met = [&](const std::vector<Ray>& rays) {
         std::vector<Hit> hits(rays.size());
         alone.closest(rays, hits);
@@ -47,7 +53,8 @@ SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const Pict
             std::vector<Ray> rays;
             const bool on_rows = row >= 0 && row < height;
             for (std::int64_t c = left + stride / 2; c < right; c += stride) {
-                if (!on_rows || c < 0 || c >= width) rays.push_back(ray_at(c, row));
+                const bool in_picture = on_rows && c >= 0 && c < width;
+                if (!in_picture && !beyond(c, row)) rays.push_back(ray_at(c, row));
             }
             outside[r] = met(rays);
         },

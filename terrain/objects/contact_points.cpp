@@ -17,15 +17,23 @@ Eigen::Vector2d one_of_eight(int k) {
 }  // namespace
 
 std::vector<Eigen::Vector3d> contact_points(const MeshFile& mesh, const Placing& placing) {
+    return contact_points(mesh, placing, Eigen::Matrix3d::Identity());
+}
+
+std::vector<Eigen::Vector3d> contact_points(const MeshFile& mesh, const Placing& placing,
+                                            const Eigen::Matrix3d& turn) {
     constexpr double share = 0.02, least = 1e-3;  // of the height; [m]
     if (mesh.vertex.empty()) return {};
     const MeshFrame frame(mesh, placing);
-    double height = 0.0;
-    for (const Eigen::Vector3d& v : mesh.vertex) height = std::max(height, frame.place(v).z());
-    std::vector<Eigen::Vector3d> low;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh.vertex) box.extend(turn * frame.place(v));
+    const double limit = box.min().z() + std::max(least, share * box.sizes().z());
+    std::vector<Eigen::Vector3d> low, turned;
     for (const Eigen::Vector3d& v : mesh.vertex) {
-        const Eigen::Vector3d at = frame.place(v);
-        if (at.z() <= std::max(least, share * height)) low.push_back(at);
+        const Eigen::Vector3d at = frame.place(v), there = turn * at;
+        if (there.z() > limit) continue;
+        low.push_back(at);
+        turned.push_back(there);
     }
     std::vector<Eigen::Vector3d> outermost;
     for (int k = 0; k < 8; ++k) {
@@ -35,11 +43,12 @@ std::vector<Eigen::Vector3d> contact_points(const MeshFile& mesh, const Placing&
             return at.head<2>().dot(out) + 1e-6 * at.head<2>().dot(aside);
         };
         const auto found =
-            std::max_element(low.begin(), low.end(),
+            std::max_element(turned.begin(), turned.end(),
                              [&](const auto& a, const auto& b) { return reach(a) < reach(b); });
+        const Eigen::Vector3d& at = low[std::size_t(found - turned.begin())];
         const bool known = std::any_of(outermost.begin(), outermost.end(),
-                                       [&](const auto& other) { return other == *found; });
-        if (!known) outermost.push_back(*found);
+                                       [&](const auto& other) { return other == at; });
+        if (!known) outermost.push_back(at);
     }
     return outermost;
 }

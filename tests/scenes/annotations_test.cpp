@@ -17,13 +17,17 @@
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/job/input/scene_file.hpp"
+#include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/run/job.hpp"
 #include "scenes/products/labels/kitti.hpp"
 #include "scenes/products/labels/label_contrast.hpp"
+#include "scenes/products/labels/labelled.hpp"
 #include "scenes/products/labels/object_masks.hpp"
 #include "scenes/products/labels/split.hpp"
+#include "scenes/products/labels/whole_objects.hpp"
 #include "tests/support/labelled_yard.hpp"
 #include "tests/support/passed_over.hpp"
+#include "tests/support/slope_scene.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;
@@ -82,6 +86,37 @@ TEST_CASE("contrast is the target's mean less that of the box about it", "[scene
     CHECK(found.spread == Approx(1.0).epsilon(1e-6));
     CHECK(found.background == Approx((16 * 300.0 + 12 * 290.0) / 28.0).epsilon(1e-9));
     CHECK(found.rss() == Approx(std::hypot(302.0 - found.background, 1.0)).epsilon(1e-6));
+}
+
+TEST_CASE("the background of an odd mask reaches half its sides further, rounded up",
+          "[scenes][annotations]") {
+    const Plane plane{"t", "K", std::vector<float>(20 * 20, 300.0f)};
+    // Five columns and three rows: three columns and two rows more on each side.
+    const ObjectMask mask{1, 7, 8, 5, 3, 1, {7 * 20 + 8, 1, 20 * 20 - 7 * 20 - 9}};
+    CHECK(contrast(plane, 20, 20, mask).background_pixels == 11 * 7 - 1);
+}
+
+TEST_CASE("boxes of ground lie along its rectangle, aspects on a slope are above the horizontal",
+          "[scenes][annotations]") {
+    const ScratchFolder folder("labels_on_slope");
+    write_text(folder.path / "crate.obj", slope_scene::box(3.0, 6.0, 2.0));
+    const Prepared scene = prepare(read_scene(slope_scene::written(
+        folder.path, slope_scene::plane(15.0, 120.0),
+        "[[ground]]\nname = \"pad\"\nmaterial = \"grass\"\nrectangle_m = [-14.0, 9.0, 18.0, "
+        "12.0, 30.0]\n" +
+            slope_scene::object("crate", "place_m = [4.0, -3.0]\nheading_deg = 70.0"))));
+    const std::vector<Labelled> objects = labelled_objects(scene.scene, scene.world);
+    const Observer eye = scene.sequences[0].at(0);
+    const auto whole =
+        whole_objects(scene.world.facets, scene.world.facets, scene.world.copies, objects, eye);
+    const WholeObject &pad = whole.at(1), &crate = whole.at(2);
+    CHECK(pad.heading_deg == 30.0);
+    CHECK(pad.length == Approx(18.0).margin(0.01));
+    CHECK(pad.width == Approx(12.0).margin(0.01));
+    const Eigen::Vector3d away = eye.position - crate.middle;
+    CHECK(crate.range == Approx(away.norm()));
+    CHECK(crate.aspect_elevation_deg ==
+          Approx(std::asin(away.z() / away.norm()) * 180.0 / std::numbers::pi));
 }
 
 TEST_CASE("a split takes its share of the instants and keeps to its seed",

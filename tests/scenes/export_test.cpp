@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "materials/base/files.hpp"
 #include "tests/support/independent_reader.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -55,6 +56,38 @@ TEST_CASE("others read in exports what temperatures.nc holds", "[scenes][export]
     const Ran read = read_by("export_reader.py", quoted(folder.path));
     INFO(read.out);
     CHECK(read.code == 0);
+}
+
+TEST_CASE("an export replaces neither an input nor a result of its run", "[scenes][export]") {
+    const ScratchFolder folder("export_own");
+    const std::string from = DIURNA_SOURCE_DIR "/scenes/jacksboro/weather.csv";
+    const fs::path weather = folder.path / "weather.csv", run = folder.path / "run";
+    fs::copy_file(from, weather);
+    write_text(folder.path / "scene.toml", with(small_scene(), from, "weather.csv"));
+    // Started in the scene's folder: its manifest has the inputs' names from there.
+    const Ran made = ran("cd " + quoted(folder.path) +
+                         " && '" DIURNA_BINARY
+                         "' run scene.toml --allow-outside --progress none "
+                         "--set time.duration_h=2 --out run 2>&1");
+    INFO(made.out);
+    REQUIRE((made.code == 0 || made.code == 1));
+    REQUIRE(fs::exists(run / "manifest.json"));
+    for (const fs::path& own : {weather, folder.path / "scene.toml", run / "manifest.json",
+                                run / "report.html", run / "temperatures.nc"}) {
+        CAPTURE(own);
+        const std::string before = diurna::read_text(own);
+        for (const char* format : {"csv", "ply --at 2026-07-15T04:10:00Z"}) {
+            const Ran refused =
+                diurna("export " + quoted(run) + " --to " + format + " --out " + quoted(own));
+            CAPTURE(refused.out);
+            CHECK(refused.code == 2);
+            CHECK(refused.out.find("would be overwritten") != std::string::npos);
+        }
+        CHECK(diurna::read_text(own) == before);
+    }
+    CHECK(
+        diurna("export " + quoted(run) + " --to csv --out " + quoted(folder.path / "c.csv")).code ==
+        0);
 }
 
 TEST_CASE("an export that cannot be writes nothing", "[scenes][export]") {

@@ -62,6 +62,31 @@ TEST_CASE("results take the place of no input, device or pipe", "[outputs]") {
     CHECK(files_in(folder.path) == 3);
 }
 
+TEST_CASE("a place that takes no new file is refused before anything is computed", "[outputs]") {
+    const ScratchFolder folder("no-place");
+    const fs::path scene = folder.path / "scene.toml";
+    write_text(scene, small_scene());
+    // The kernel's file system has the permissions of a folder of root, and takes no file.
+    CHECK_THROWS_AS(check_output_file("/proc/t.nc"), InputError);
+    CHECK_FALSE(why_no_output_folder("/proc/new").empty());
+    CHECK(why_no_output_folder(folder.path / "new").empty());
+    for (const char* arguments : {"run SCENE --out /proc/new", "solve SCENE --out /proc/t.nc",
+                                  "contrast SCENE --out /proc/new"}) {
+        CAPTURE(arguments);
+        const std::string command = with(arguments, "SCENE", "'" + scene.string() + "'");
+        CHECK(code_of("'" DIURNA_BINARY "' " + command) == 2);
+    }
+    if (::geteuid() == 0) {  // as another user, who may read but not write
+        const fs::path shut = folder.path / "shut";
+        fs::create_directory(shut);
+        fs::permissions(folder.path, fs::perms(0755));
+        CHECK(code_of("setpriv --reuid=65534 --regid=65534 --clear-groups '" DIURNA_BINARY
+                      "' model truck --out '" +
+                      (shut / "t.obj").string() + "'") == 2);
+    }
+    CHECK(files_in(folder.path) == 1);
+}
+
 TEST_CASE("a name that others have laid a link under is not written through", "[outputs]") {
     const ScratchFolder folder("links");
     const fs::path other = folder.path / "other", link = folder.path / "link";

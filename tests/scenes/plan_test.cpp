@@ -1,5 +1,7 @@
 #include "scenes/job/plan/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>
@@ -137,4 +139,43 @@ TEST_CASE("a plan counts the days before a span", "[scenes][plan]") {
     // Once an object moves, the day that repeats is the first stage's, and not of the span.
     CHECK(days_of(SpanStart::periodic, 1.0, true).more == 1.0);
     CHECK(days_of(SpanStart::state, 2.0, false).repeated == 0.0);
+}
+
+TEST_CASE("smoke and textures cost in a plan by the pixels that they fill", "[scenes][plan]") {
+    const auto plan_with = [](const std::string& tables) { return scene_with("", tables).plan; };
+    const auto plume = [](double radius) {
+        return fmt::format(
+            "[[plume]]\nname = \"smoke\"\nplace_m = [-20.0, -20.0]\nheight_m = 30.0\nradius_m = "
+            "{0}\ntop_radius_m = {0}\ntemperature_K = 300.0\nabsorption_per_m = 0.1\n",
+            radius);
+    };
+    const Plan none = plan_with(""), thin = plan_with(plume(2.0)), wide = plan_with(plume(20.0));
+    const auto more = [&](const Plan& plan, StageId stage) {
+        return seconds_of(stage, plan) - seconds_of(stage, none);
+    };
+    for (const StageId stage : {StageId::views, StageId::frames}) {
+        CHECK(more(thin, stage) > 0.0);
+        // Ten times as wide: ten times as large from the side, a hundred times from above.
+        CHECK(more(wide, stage) > 10.0 * more(thin, stage));
+        CHECK(more(wide, stage) < 100.0 * more(thin, stage));
+    }
+    CHECK(wide.memory >= thin.memory);
+    const Plan textured = plan_with(
+        "[[texture]]\nname = \"worn\"\nstd = 0.02\ncorrelation_length_m = 12.0\n[[ground]]\nname = "
+        "\"yard\"\nmaterial = \"asphalt\"\ntexture = \"worn\"\nrectangle_m = [-200.0, 0.0, 300.0, "
+        "300.0, 45.0]\nlargest_edge_m = 60.0\n");
+    CHECK(more(textured, StageId::views) > 0.0);
+}
+
+TEST_CASE("an uncertain value costs in a plan a view more, not a picture's planes",
+          "[scenes][plan]") {
+    const Plan none = scene_with("").plan, one = scene_with("", R"(
+[[uncertain]]
+key = "weather.changed.wind_factor"
+one_sigma = 1.2
+)")
+                                                     .plan;
+    // A scene of 3 MB, its facets, and 64 x 48 pixels.
+    CHECK(one.memory - none.memory < 4e6 + 1300.0 * double(none.facets));
+    CHECK(one.memory > none.memory);
 }

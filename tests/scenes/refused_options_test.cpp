@@ -83,7 +83,7 @@ TEST_CASE("results do not go over what they are made of", "[command_line][option
         const Ran got = in_folder(folder.path, path + name);
         CAPTURE(got.out);
         CHECK(got.code == 2);
-        CHECK(got.out.find("is an input of this run") != std::string::npos);
+        CHECK(got.out.find("is an input or a result of this run") != std::string::npos);
         CHECK(diurna::read_text(folder.path / "sonde.csv") == text);
     }
     CHECK(in_folder(folder.path, path + "spectrum.csv").code == 0);

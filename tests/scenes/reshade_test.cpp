@@ -13,6 +13,7 @@
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
 #include "tests/support/black_plain.hpp"
+#include "tests/support/folder_contents.hpp"
 
 // A changed surface in a picture: by the sum on paper, and against the whole run of the changed
 // scene.
@@ -198,6 +199,18 @@ albedo = 0.5
         ++pictures;
     }
     CHECK(pictures >= 4);
+    // The folder of an earlier one is used again; no other that holds anything.
+    CHECK(shell(program + "reshade " + at("base") + paint + at("new") + " >/dev/null") == 0);
+    fs::create_directories(folder.path / "mine");
+    std::ofstream(folder.path / "mine/notes.txt") << "mine";
+    for (const std::string name :
+         {"base", "base/frames", "base/images", "whole", "whole/frames", "mine"}) {
+        CAPTURE(name);
+        const fs::path out = folder.path / name;
+        const auto before = contents(out);
+        CHECK(shell(program + "reshade " + at("base") + paint + at(name.c_str()) + " >/dev/null") == 2);
+        CHECK(contents(out) == before);
+    }
     // Mistakes: one line, nothing written.
     CHECK(shell(program + "reshade " + at("base") + " --of plote --warmer 1 --out " + at("none") +
                 " >/dev/null") == 2);

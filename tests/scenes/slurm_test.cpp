@@ -1,4 +1,7 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -113,6 +116,15 @@ TEST_CASE("what Slurm cannot express is refused before anything is written", "[s
         CHECK(refused.code == 2);
         CHECK(refused.out.find(expected) != std::string::npos);
     }
+    fs::create_directories(place.inner / "out");
+    const int held = ::open((place.inner / "out").c_str(), O_RDONLY | O_DIRECTORY);
+    REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
+    const Ran refused =
+        place.diurna("slurm scene.toml --allow-outside --shards 2 --out out --scripts jobs");
+    INFO(refused.out);
+    CHECK(refused.code == 2);
+    CHECK(refused.out.find("is in use by another run") != std::string::npos);
+    ::close(held);
     CHECK_FALSE(fs::exists(place.inner / "jobs"));
     CHECK_FALSE(fs::exists(place.inner / "50% done"));
 }

@@ -144,6 +144,40 @@ TEST_CASE("a mast stands upright by itself, and angles may be given", "[scenes][
     CHECK(warnings(scene).empty());
 }
 
+TEST_CASE(
+    "given angles turn an object about the middle of its base, and what is in the ground is "
+    "reported",
+    "[scenes][stance][warnings]") {
+    const ScratchFolder folder("stance_turned");
+    write_text(folder.path / "crate.obj", box(3.0, 6.0, 2.0));
+    struct Turned {
+        double pitch_deg, roll_deg, height;
+        double depth;  // [m] of its lowest point, by the sides of the box
+    };
+    const double pitched = 3.0 * std::sin(radians(25.0));
+    const auto [pitch_deg, roll_deg, height, depth] =
+        GENERATE_COPY(Turned{25.0, 0.0, 0.0, pitched}, Turned{25.0, 0.0, pitched, 0.0},
+                      Turned{0.0, 180.0, 0.0, 2.0}, Turned{0.0, 180.0, 2.0, 0.0},
+                      Turned{0.0, 90.0, 0.0, 1.5}, Turned{0.0, 90.0, -0.5, 2.0});
+    CAPTURE(pitch_deg, roll_deg, height);
+    const Prepared scene =
+        prepared(folder, plane(0.0, 0.0),
+                 crate(fmt::format("place_m = [4.0, -3.0]\nheading_deg = 30.0\npitch_deg = {}\n"
+                                   "roll_deg = {}\nheight_above_ground_m = {}",
+                                   pitch_deg, roll_deg, height)));
+    const Eigen::Vector3d base = scene.scene.terrain.objects[0].placing.base;
+    CHECK((base - Eigen::Vector3d(4.0, -3.0, height)).norm() < 0.01);
+    const auto lines = warnings(scene);
+    REQUIRE(lines.size() == (depth > 0.0 ? 1 : 0));
+    if (lines.empty()) return;
+    const auto number = [&](const std::string& before) {
+        return std::stod(lines[0].substr(lines[0].find(before) + before.size()));
+    };
+    CAPTURE(lines[0]);
+    CHECK(number("buried up to ") == Approx(depth).epsilon(0.03));
+    CHECK(number("increase its height by ") == Approx(depth + std::min(0.0, height)).epsilon(0.03));
+}
+
 TEST_CASE("a model of a building stands upright, one of a vehicle on the slope",
           "[scenes][stance]") {
     const ScratchFolder folder("stance_models");

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "materials/base/error.hpp"
+#include "scenes/app/sweep/checked_folder.hpp"
 #include "scenes/job/run/listed_outputs.hpp"
 #include "scenes/products/export/inspect.hpp"
 #include "scenes/products/export/run_heat.hpp"
@@ -32,6 +33,41 @@ std::string thrown(const std::function<void()>& work) {
 }
 
 }  // namespace
+
+TEST_CASE("a sweep is not written into a folder that holds other files", "[sweep]") {
+    using Catch::Contains;
+    const ScratchFolder place("sweep-folder-files");
+    const auto refused = [&](const char* name, const std::vector<fs::path>& inputs = {}) {
+        return thrown([&] { check_sweep_folder(place.path / name, inputs, false); });
+    };
+    // Folders of a sweep's names alone make no sweep's results.
+    put(place.path / "a/variants/mine.txt", "x");
+    put(place.path / "b/variants/v0/frames/mine.exr", "x");
+    put(place.path / "c/heat/mine.nc", "x");
+    put(place.path / "d/annotations.json", "x");
+    fs::create_directories(place.path / "d/variants");
+    for (const char* name : {"a", "b", "c", "d"}) {
+        CHECK_THAT(refused(name), Contains("not results of a run"));
+    }
+    // A sweep that was begun, with other files in it, one at a time.
+    const fs::path out = place.path / "out";
+    put(out / "variants/v0/variant.json",
+        R"({"key": "k", "done": true, "outputs": {"frames/a.exr": "1"}})");
+    put(out / "variants/v0/frames/a.exr", "x");
+    put(out / "heat/h0/temperatures.nc", "x");
+    fs::create_directories(out / "variants/v1/frames");
+    CHECK(refused("out") == "nothing");
+    for (const char* file : {"variants/mine.txt", "variants/v0/frames/mine.exr",
+                             "variants/v1/notes.txt", "heat/mine.nc", "heat/h0/mine.nc"}) {
+        CAPTURE(file);
+        put(out / file, "x");
+        CHECK_THAT(refused("out"), Contains("which was not written by an earlier run"));
+        CHECK(fs::exists(out / file));
+        fs::remove(out / file);
+    }
+    CHECK(refused("out") == "nothing");
+    CHECK_THAT(refused("out", {out / "july.csv"}), Contains("an input of this run"));
+}
 
 TEST_CASE("messages about a sweep's folders name the folder that the command needs",
           "[sweep][words]") {

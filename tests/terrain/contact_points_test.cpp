@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "terrain/place/trajectory.hpp"
+
 using namespace diurna;
 
 namespace {
@@ -64,4 +66,17 @@ TEST_CASE("a mast of 10 m touches the ground with a foot of 0.3 m", "[terrain][o
     const auto points =
         contact_points(boxes({{0.0, 0.0, 0.15, 0.15, 0.0, 10.0}}), {.up = UpAxis::z});
     CHECK(least_width(points) == Approx(0.3));
+}
+
+TEST_CASE("a box on its roof touches level ground with its roof, on its side with its side",
+          "[terrain][objects]") {
+    const MeshFile mesh = boxes({{5.0, -3.0, 1.5, 3.0, 0.0, 2.0}});
+    const double roll = GENERATE(90.0, 180.0);
+    CAPTURE(roll);
+    const Eigen::Matrix3d turn = attitude(40.0, 0.0, roll).toRotationMatrix();
+    const auto points = contact_points(mesh, {.up = UpAxis::z}, turn);
+    REQUIRE(points.size() == 4);
+    for (const auto& at : points) {
+        CHECK((turn * at).z() == Approx(roll == 180.0 ? -2.0 : -1.5));
+    }
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -16,6 +17,7 @@
 #include "scenes/job/store/inputs.hpp"
 #include "scenes/products/export/coloured_ply.hpp"
 #include "scenes/products/export/curve_csv.hpp"
+#include "scenes/products/export/files_of_run.hpp"
 #include "scenes/products/export/heat_raster.hpp"
 #include "scenes/products/export/kmz_file.hpp"
 #include "scenes/products/export/run_heat.hpp"
@@ -62,18 +64,21 @@ void export_verb(const ExportArguments& a) {
     }
     if (const std::string note = represented_note(heat); !note.empty()) print_notes({note});
     const std::string out = a.out.string();
+    std::vector<FileRead> taken = files_of_run(a.folder);
+    for (FileRead& file : opened.files()) taken.push_back(std::move(file));
     if (a.to == "csv") {
-        check_output_file(a.out, opened.files());
+        check_output_file(a.out, taken);
         const std::vector<NamedGroup> groups = named_groups(heat, a.of);
         write_whole_file(a.out, curve_csv(heat, groups, instants));
         fmt::print("{} at {}: {}\n", number_of(groups.size(), "curve"),
                    number_of(instants.size(), "instant"), out);
     } else if (a.to == "vtu") {
-        const std::size_t files = write_vtu_day(a.out, heat, instants, opened.files());
+        const std::size_t files = write_vtu_day(a.out, heat, instants, taken);
         fmt::print("{}, {}, {}: {}\n", number_of(heat.field.facets, "facet"),
                    number_of(instants.size(), "instant"), number_of(files, "file"), out);
     } else if (a.to == "geotiff") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
+        check_output_file(a.out, taken);
         check_output_file(a.out, opened.files());
         check_output_file(a.out, named_inputs(scene));
         const std::size_t posts = write_heat_geotiff(a.out, heat, scene, instants);
@@ -81,13 +86,14 @@ void export_verb(const ExportArguments& a) {
                    out);
     } else if (a.to == "kmz") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
+        check_output_file(a.out, taken);
         check_output_file(a.out, opened.files());
         check_output_file(a.out, named_inputs(scene));
         const ColourScale scale = write_kmz(a.out, heat, scene, instants);
         fmt::print("{}, {:g} to {:g} degC: {}\n", number_of(instants.size(), "instant"), scale.low,
                    scale.high, out);
     } else {
-        check_output_file(a.out, opened.files());
+        check_output_file(a.out, taken);
         const ColourScale scale = write_coloured_ply(a.out, heat, heat_at(heat, instants.front()));
         fmt::print("{}, {:g} to {:g} degC: {}\n", number_of(heat.field.facets, "facet"), scale.low,
                    scale.high, out);

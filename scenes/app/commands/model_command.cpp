@@ -66,6 +66,8 @@ void model_verb(const ModelArguments& arguments) {
     }
     std::filesystem::path parts = arguments.out;
     parts.replace_extension(".parts.toml");
+    check_output_file(arguments.out);
+    check_output_file(parts);
     write_obj(arguments.out, mesh,
               fmt::format("{}: {}; {} detail", arguments.name, model_line(arguments.name),
                           arguments.detail));

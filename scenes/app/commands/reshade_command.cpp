@@ -17,9 +17,11 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
+#include "materials/base/unfinished.hpp"
 #include "materials/matter/read_library.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/app/commands/number_option.hpp"
+#include "scenes/job/run/run_folder.hpp"
 #include "scenes/products/export/reshade.hpp"
 #include "scenes/products/export/run_heat.hpp"
 
@@ -45,17 +47,25 @@ void check_reshade(const ReshadeArguments& a) {
     if (!a.paint.empty() && (a.emissivity || a.reflectance)) {
         throw InputError("--paint", "cannot be combined with --emissivity or --reflectance");
     }
-    if (const std::string why = why_no_output_folder(a.out); !why.empty()) {
+}
+
+/// Refuses a folder in which anything but an earlier reshade's pictures would be overwritten:
+/// another file than one of the names of the run's pictures, or a folder that a run fills.
+void check_out(const ReshadeArguments& a) {
+    const auto refuse = [&](const std::string& why) {
         throw InputError("--out", fmt::format("{} {}", a.out.string(), why),
-                         "expected a folder or a new name");
-    }
+                         "choose another folder, new or empty");
+    };
+    if (const std::string why = why_no_output_folder(a.out); !why.empty()) refuse(why);
+    check_not_in_use(a.out);
+    if (is_results_folder(a.out)) refuse("holds the results of a run or a sweep");
     std::error_code none;
-    for (const fs::path& own : {a.folder, a.folder / "frames"}) {
-        if (fs::equivalent(a.out, own, none)) {
-            throw InputError("--out", fmt::format("{} holds the run's own pictures, expected "
-                                                  "another folder",
-                                                  a.out.string()));
-        }
+    for (const auto& entry : fs::directory_iterator(a.out, none)) {
+        const fs::path name = entry.path().filename();
+        const bool picture = entry.is_regular_file() && name.extension() == ".exr" &&
+                             fs::exists(a.folder / "frames" / name, none);
+        if (picture || is_temporary_name(name.string())) continue;
+        refuse(fmt::format("holds {}, which is not one of the run's pictures", name.string()));
     }
 }
 
@@ -105,6 +115,7 @@ std::string reported(const fs::path& file, const ReshadedFrame& found, bool heat
 
 void reshade_verb(const ReshadeArguments& a) {
     check_reshade(a);
+    check_out(a);
     const RunHeat heat = load_run_heat(a.folder);
     const std::string name = a.of.find(':') == std::string::npos ? "object:" + a.of : a.of;
     const NamedGroup group = named_groups(heat, std::span(&name, 1)).front();
@@ -125,6 +136,7 @@ void reshade_verb(const ReshadeArguments& a) {
         .emissivity = a.emissivity, .reflectance = a.reflectance, .warmer = a.warmer};
     if (!a.paint.empty()) change.paint = &library[library.find(a.paint, "--paint")];
     const std::vector<fs::path> frames = chosen_frames(a);
+    const FolderLock lock(a.out);
     for (const fs::path& file : frames) {
         const Frame frame = read_exr(file);
         if (other) {
@@ -136,7 +148,6 @@ void reshade_verb(const ReshadeArguments& a) {
             }
         }
         ReshadedFrame one = reshade(frame, facets, change);
-        fs::create_directories(a.out);
         const std::optional<CameraTags> camera = read_camera_tags(file);
         write_exr(a.out / file.filename(), one.frame, ExrCompression::none,
                   camera ? &*camera : nullptr);

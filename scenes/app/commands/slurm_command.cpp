@@ -10,10 +10,12 @@
 #include "materials/base/files.hpp"
 #include "scenes/app/commands/number_option.hpp"
 #include "scenes/app/commands/scene_arguments.hpp"
+#include "scenes/app/sweep/checked_folder.hpp"
 #include "scenes/app/sweep/variants.hpp"
 #include "scenes/job/plan/prepared.hpp"
-#include "scenes/job/run/run_folder.hpp"
+#include "scenes/job/run/job.hpp"
 #include "scenes/job/run/slurm_scripts.hpp"
+#include "scenes/job/store/inputs.hpp"
 
 namespace diurna {
 
@@ -33,7 +35,11 @@ void slurm_verb(const SceneArguments& a, SlurmArguments s) {
     SlurmJob& job = s.job;
     Scene scene = a.read();
     job.sweep = !scene.sweep.axes.empty();
-    check_run_folder(s.out, job.sweep ? FolderKind::sweep : FolderKind::run);
+    if (job.sweep) {
+        check_sweep_folder(s.out, paths_of(named_inputs(scene)), false);
+    } else {
+        check_job_folder(scene, {.out = s.out, .settings = a.settings});
+    }
     job.work = fs::absolute(s.scripts).lexically_normal();
     if (const std::string why = why_no_output_folder(job.work); !why.empty()) {
         throw InputError("--scripts", job.work.string() + " " + why);

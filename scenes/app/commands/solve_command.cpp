@@ -37,6 +37,9 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const double most = a.memory();
     Scene scene = a.read();
     check_output_file(out, named_inputs(scene));
+    for (const std::string& file : radiometer_files(scene)) {
+        check_output_file(out.parent_path() / file, named_inputs(scene));
+    }
     const Prepared prepared = prepare(std::move(scene));
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);

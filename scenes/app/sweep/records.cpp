@@ -76,6 +76,12 @@ VariantRecord read_variant_record(const fs::path& folder) {
             .notes = json.value("notes", std::vector<std::string>{})};
 }
 
+std::vector<std::string> recorded_files(const VariantRecord& record) {
+    std::vector<std::string> names;
+    for (const auto& [name, digest] : record.outputs) names.push_back(name);
+    return names;
+}
+
 void write_heat_record(const fs::path& folder, const SweptHeat& record) {
     const OrderedJson json = {{"key", record.key},     {"temperatures_sha256", record.sha256},
                               {"start", record.start}, {"not_converged", record.not_converged},

@@ -33,6 +33,8 @@ std::filesystem::path variant_folder(const std::filesystem::path& out, const std
 /// Empty if there is none.
 SweptHeat read_heat_record(const std::filesystem::path& folder);
 VariantRecord read_variant_record(const std::filesystem::path& folder);
+/// Names of its outputs.
+std::vector<std::string> recorded_files(const VariantRecord& record);
 
 void write_heat_record(const std::filesystem::path& folder, const SweptHeat& record);
 /// With the variant's values.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/app/sweep/checked_folder.hpp"
 #include "scenes/app/sweep/merged_labels.hpp"
 #include "scenes/app/sweep/records.hpp"
 #include "scenes/job/plan/frame_files.hpp"
@@ -164,7 +165,9 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     Ledger ledger(folder, record.key, group.options.resume);
     std::set<std::string> keep{"variant.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
-    clear_run_folder(folder, keep, pictures);
+    std::vector<std::string> known = recorded_files(read_variant_record(folder));
+    known.insert(known.end(), pictures.begin(), pictures.end());
+    clear_run_folder(folder, keep, known);
     ledger.write(pictures);
     for (const char* inner : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(folder / inner);
@@ -278,8 +281,7 @@ void merge(const Sweep& sweep, const SweepOptions& options, SweepReport& report)
 }  // namespace
 
 SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
-    check_run_folder(options.out, FolderKind::sweep);
-    check_no_input_in(options.out, paths_of(run_inputs(sweep.base)));
+    check_sweep_folder(options.out, paths_of(run_inputs(sweep.base)), !options.shard.all());
     const FolderLock lock(options.out, !options.shard.all());
     SweepReport report;
     Progress progress(options.progress);

@@ -22,7 +22,7 @@ struct ObjectInput {
     std::shared_ptr<MeshFile> mesh = std::make_shared<MeshFile>();  // shared by all copies
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is computed from the ground
-    HeightInput stands;                               // of its lowest point
+    HeightInput stands;                               // of its base: of its lowest point if level
     bool on_slope = false;                 // tilted with the ground; false: vertical or as given
     bool at_any_height = false;            // at any distance from the ground
     bool angles_given = false;             // its pitch and roll are given in its placing

@@ -210,14 +210,17 @@ void weld(const Section& section, ObjectInput& object) {
 
 namespace {
 
+constexpr const char* height_of =
+    "height of its lowest point; with pitch_deg or roll_deg that of the middle of its base";
+
 /// Where it stands, or the way it goes.
 void read_object_stand(const Section& section, const Reading& reading, ObjectInput& object) {
     if (section.has("copies") || section.has("copies_file")) {  // which say where each stands
-        object.stands = read_height(section, "height of its lowest point", 0.0, {-100.0, 1e4});
+        object.stands = read_height(section, height_of, 0.0, {-100.0, 1e4});
         return;
     }
     if (!section.has("trajectory")) {
-        object.stands = read_height(section, "height of its lowest point", 0.0, {-100.0, 1e4});
+        object.stands = read_height(section, height_of, 0.0, {-100.0, 1e4});
         object.place = reading.places.one(section, {"place_m", "place"},
                                           "place of the centre of its plan", object.stands);
         return;

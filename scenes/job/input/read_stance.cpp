@@ -48,12 +48,12 @@ void read_stance(const Section& section, bool of_model, ObjectInput& object) {
         {{"by_itself", Stands::by_itself},
          {"on_slope", Stands::on_slope},
          {"upright", Stands::upright}});
-    object.placing.pitch_deg =
-        section.number_or("pitch_deg", "pitch, front up, instead of the slope's",
-                          {0.0, "from the ground's slope; 0 with roll_deg"}, {-90.0, 90.0});
-    object.placing.roll_deg =
-        section.number_or("roll_deg", "roll, right side down, instead of the slope's",
-                          {0.0, "from the ground's slope; 0 with pitch_deg"}, {-180.0, 180.0});
+    object.placing.pitch_deg = section.number_or(
+        "pitch_deg", "pitch about the middle of its base, front up, instead of the slope's",
+        {0.0, "from the ground's slope; 0 with roll_deg"}, {-90.0, 90.0});
+    object.placing.roll_deg = section.number_or(
+        "roll_deg", "roll about the middle of its base, right side down, instead of the slope's",
+        {0.0, "from the ground's slope; 0 with pitch_deg"}, {-180.0, 180.0});
     const bool angles = section.has("pitch_deg") || section.has("roll_deg");
     if (angles && section.has("stands")) {
         section.mistake("stands", "cannot be combined with pitch_deg or roll_deg");

@@ -88,8 +88,10 @@ std::string border_key(const Section& section) {
 }
 
 /// Corners, east and north [m].
+///
+/// - heading_deg: becomes that of a rectangle
 std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlaces& places,
-                                         const std::string& key) {
+                                         const std::string& key, double& heading_deg) {
     if (key == "ring") {
         return places.all(
             section, "ring",
@@ -121,6 +123,7 @@ std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlac
                                          "-360 to 360]",
                                          mapped ? "latitude, longitude" : "east, north"));
     }
+    heading_deg = spec[4];
     if (!mapped) return rectangle({spec[0], spec[1]}, spec);
     if (section.has_mistakes()) return {};
     return rectangle(places.all(section, "rectangle", {spec}).front(), spec);
@@ -138,7 +141,7 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
         "largest_edge_m", "largest edge of the triangles inside", 30.0, {1.0, 1e4});
     const std::string key = border_key(section);
     const bool sound = !section.has_mistakes();
-    polygon.ring = read_border(section, reading.places, key);
+    polygon.ring = read_border(section, reading.places, key, polygon.heading_deg);
     if (sound && section.has_mistakes()) polygon.ring.clear();  // reported
     polygon.where = section.where(key);
     check_ring(section, key, polygon.ring);

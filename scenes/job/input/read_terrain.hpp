@@ -26,6 +26,7 @@ struct GroundPolygon {
     std::string kind;                   // its class in labels
     std::string material;               // "": by the rules, on a finer mesh
     std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
+    double heading_deg = 0.0;           // of a rectangle's length, clockwise from north
     double largest_edge = 30.0;         // of the triangles within [m]
     std::string where;                  // of its corners in the scene file
 };

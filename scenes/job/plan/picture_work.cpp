@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/matter/waves.hpp"
+#include "scenes/job/plan/costly_pixels.hpp"
 #include "scenes/job/plan/instrument_cost.hpp"
 #include "scenes/job/plan/picture_samples.hpp"
 #include "scenes/job/plan/plan_costs.hpp"
@@ -61,6 +62,14 @@ FollowedRays add_onward(const FollowedRays& each, double views, double pictures,
     return each;
 }
 
+/// Adds the rays of its views that take more than others.
+void add_costly(const CostlyPixels& costly, double pixels, int samples, const Sequence& sequence,
+                PictureWork& work) {
+    const double rays = pixels * samples * double(sequence.pose.size());
+    work.smoke_rays += costly.smoke * rays;
+    work.textured_rays += costly.textured * rays;
+}
+
 /// An observer as an instrument of its samples the radiance, without margins.
 ObserverInput sampled_by(const ObserverInput& observer, const InstrumentCost& cost) {
     const int times = cost.oversampling.times;
@@ -85,8 +94,10 @@ double channels_of(const Scene& scene, const std::string& cube) {
 }  // namespace
 
 PictureWork picture_work(const Scene& scene, const World& world, const Weather& weather,
-                         const RayScene* rays, std::span<const Sequence> sequences) {
+                         const RayScene* rays, std::span<const Sequence> sequences,
+                         std::span<const Plume> plumes) {
     PictureWork work;
+    std::vector<CostlyPixels> costly(scene.observers.size());
     for (std::size_t o = 0; o < scene.observers.size(); ++o) {
         const ObserverInput& observer = scene.observers[o];
         const double pixels = double(observer.width) * observer.height;
@@ -100,12 +111,18 @@ PictureWork picture_work(const Scene& scene, const World& world, const Weather& 
         work.channel_pictures += channels * frames;
         work.channel_pixels += pixels * channels * frames;
         const double planes = planes_of_picture + bands * (observer.terms ? 8.0 : 2.0);
-        const double behind = scene.plumes.empty() ? 0.0 : 64.0 * observer.samples;
         FollowedRays each;
         if (rays != nullptr && o < sequences.size()) {
             each = add_onward(of_a_view(scene, world, weather, *rays, observer, sequences[o]),
                               double(sequences[o].pose.size()), frames * bands, work, work.onward);
+            costly[o] = costly_pixels(world, plumes, observer, sequences[o]);
+            add_costly(costly[o], pixels, observer.samples, sequences[o], work);
+            work.onward.smoke += costly[o].smoke * pixels * frames * bands;
         }
+        const double behind = plan_costs.smoke_sample * costly[o].smoke * observer.samples;
+        work.largest_other =
+            std::max(work.largest_other, pixels * (plan_costs.other_pixel + behind) +
+                                             plan_costs.secondary_bytes * each.secondary);
         work.largest_view =
             std::max(work.largest_view,
                      pixels * (plan_costs.view_pixel + behind + plan_costs.plane_value * planes +
@@ -121,6 +138,9 @@ PictureWork picture_work(const Scene& scene, const World& world, const Weather& 
         add_onward(of_a_view(scene, world, weather, *rays, seen, sequences[o]),
                    double(sequences[o].pose.size()), double(observer.frames.size()), work,
                    work.of_instruments);
+        const double pixels = double(seen.width) * seen.height;
+        add_costly(costly[o], pixels, seen.samples, sequences[o], work);
+        work.of_instruments.smoke += costly[o].smoke * pixels * double(observer.frames.size());
     }
     return work;
 }

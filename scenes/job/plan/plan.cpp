@@ -41,7 +41,7 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
 }
 
 /// What instruments add, in seconds of the processor; their rays are added to the plan's.
-double instrument_seconds(const Scene& scene, double through, Plan& plan) {
+double instrument_seconds(const Scene& scene, Plan& plan) {
     double seconds = 0.0;
     for (const InstrumentInput& input : scene.instruments) {
         const ObserverInput& observer = observer_of(scene, input);
@@ -50,18 +50,18 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
         const double views = observer.goes() ? frames : 1.0;
         const double rays = views * cost.seen_pixels * cost.samples;
         plan.view_rays += static_cast<std::size_t>(rays);
-        seconds +=
-            frames * (cost.seen_pixels *
-                          (through * plan_costs.render_per_pixel + plan_costs.blur_per_sample) +
-                      double(observer.width) * observer.height * plan_costs.detect_per_pixel +
-                      plan_costs.air_per_band + plan_costs.light_per_facet * double(plan.facets));
+        seconds += frames *
+                   (cost.seen_pixels * (plan_costs.render_per_pixel + plan_costs.blur_per_sample) +
+                    double(observer.width) * observer.height * plan_costs.detect_per_pixel +
+                    plan_costs.air_per_band + plan_costs.light_per_facet * double(plan.facets));
         plan.instruments.push_back(cost);
     }
     return seconds;
 }
 
 double onward_seconds(const FollowedLight& light) {
-    return plan_costs.secondary_per_hit * light.secondary + plan_costs.lobes_per_root * light.lobes;
+    return plan_costs.secondary_per_hit * light.secondary +
+           plan_costs.lobes_per_root * light.lobes + plan_costs.smoke_pixel * light.smoke;
 }
 
 /// Heat once more for each uncertain value and for all together; views and pictures once more for
@@ -89,10 +89,10 @@ double finer_round(const Plan& plan) {
 
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather, const RayScene* rays,
-              std::span<const Sequence> sequences, Plan& plan) {
+              std::span<const Sequence> sequences, std::span<const Plume> plumes, Plan& plan) {
     PlannedWork work{.sky = sky_work(scene, world),
                      .days = solved_days(scene, world.site, weather, plan.stages_of_motion > 1),
-                     .pictures = picture_work(scene, world, weather, rays, sequences),
+                     .pictures = picture_work(scene, world, weather, rays, sequences, plumes),
                      .facets = double(plan.facets),
                      .networks = double(network_facets(scene, world)),
                      .every = !plan.decisions.heat.every_facet.empty(),
@@ -107,8 +107,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, co
     const double ground = double(world.ground_facets) -
                           double(std::count(world.on_detail.begin(), world.on_detail.end(), 1));
     const double threads = thread_count();
-    const double through = scene.plumes.empty() ? 1.0 : plan_costs.seen_through;
-    const double instruments = instrument_seconds(scene, through, plan);
+    const double instruments = instrument_seconds(scene, plan);
     for (const InstrumentCost& cost : plan.instruments) {
         work.samples = std::max(work.samples, cost.seen_pixels);
     }
@@ -150,11 +149,13 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, co
          fmt::format("{:.0f} places{}", 0.5 * work.check.patches,
                      at_stages.empty() ? "" : " " + at_stages)},
         {StageId::write_temperatures, plan_costs.write_per_value * work.values},
-        {StageId::views, (through * plan_costs.cast_per_ray * double(plan.view_rays) +
+        {StageId::views, (plan_costs.cast_per_ray * double(plan.view_rays) +
+                          plan_costs.smoke_ray * work.pictures.smoke_rays +
+                          plan_costs.textured_ray * work.pictures.textured_rays +
                           plan_costs.secondary_per_ray * work.pictures.followed_rays) /
                              threads},
         {StageId::frames,
-         (through * plan_costs.render_per_pixel * work.pictures.pixels +
+         (plan_costs.render_per_pixel * work.pictures.pixels +
           plan_costs.render_per_surface * work.pictures.surface_pixels +
           plan_costs.air_per_band * work.pictures.pictures + onward_seconds(work.pictures.onward) +
           plan_costs.render_per_channel * work.pictures.channel_pixels +
@@ -183,12 +184,13 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, co
 }  // namespace
 
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather, const RayScene* rays,
-               std::span<const Sequence> sequences, std::size_t stages_of_motion) {
+               std::span<const Sequence> sequences, std::size_t stages_of_motion,
+               std::span<const Plume> plumes) {
     Plan plan;
     plan.stages_of_motion = stages_of_motion;
     count_work(scene, world, plan);
     plan.decisions = decisions_of(scene, world, weather, sequences);
-    estimate(scene, world, weather, rays, sequences, plan);
+    estimate(scene, world, weather, rays, sequences, plumes, plan);
     return plan;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/rays/plume.hpp"
 #include "scenes/job/input/scene.hpp"
 #include "scenes/job/plan/decisions.hpp"
 #include "scenes/job/plan/instrument_cost.hpp"
@@ -48,9 +49,10 @@ struct Plan {
 /// or its rays, mirrored pixels are not counted). Costs of each item:
 /// scenes/job/plan/plan_costs.hpp.
 ///
+/// - plumes: of the scene, at their places
 /// - stages_of_motion: Movement::stage (scenes/job/world/movers.hpp)
 Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
                const RayScene* rays = nullptr, std::span<const Sequence> sequences = {},
-               std::size_t stages_of_motion = 1);
+               std::size_t stages_of_motion = 1, std::span<const Plume> plumes = {});
 
 }  // namespace diurna

@@ -6,7 +6,8 @@ namespace diurna {
 /// anything is computed (scenes/job/plan/plan.cpp), and bytes. `bench/plan_costs.py` measures each
 /// on a small scene in which it dominates a stage, and rewrites this file; the numbers are for the
 /// machine class named in bench/results. Those of solved days, stages of motion, rays near objects
-/// and the surface check were fitted by hand to the runs of 45 scenes.
+/// and the surface check were fitted by hand to the runs of 45 scenes; those of smoke, textures and
+/// uncertain values to ten.
 struct PlanCosts {
     // [s] The world, built before the plan: of the program, and of a facet.
     double start = 0.23;
@@ -61,11 +62,14 @@ struct PlanCosts {
     double blur_per_sample = 0.7e-6;  // of an instrument's radiance and frame
     double detect_per_pixel = 1.0e-6;
     double annotate_per_pixel = 0.33e-6;
-    double seen_through = 2.5;  // factor on casting and rendering for rays through smoke
+    double smoke_ray = 4.8e-6;      // of a view, more through smoke
+    double smoke_pixel = 3.3e-6;    // with smoke, and band and frame
+    double textured_ray = 0.55e-6;  // of a view, more of textured facets
     // [bytes]
     double program = 75e6;          // and its libraries
-    double other_scene = 20e6;      // a scene with an uncertain value changed, and
+    double other_scene = 3e6;       // a scene with an uncertain value changed, and
     double other_facet = 1200.0;    // each of its facets
+    double other_pixel = 60.0;      // and of its view
     double facet = 500.0;           // geometry, rays, views
     double solved_facet = 450.0;    // more of those that are solved: their columns,
     double solved_step = 7.0;       // each step of a day: temperature, longwave, its exchange,
@@ -82,6 +86,7 @@ struct PlanCosts {
     double freezing_facet = 4000.0;       // more of one whose water freezes, in lanes
     double surface_value = 180.0;  // of a surface of a pixel with planes of its own, and band
     double view_pixel = 160.0;
+    double smoke_sample = 60.0;        // of a pixel with smoke
     double secondary_bytes = 110.0;    // of a hit of rays that go on
     double instrument_sample = 100.0;  // of radiance
     double plane_value = 8.0;          // of a plane, and of the file written from it

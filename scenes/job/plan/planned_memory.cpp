@@ -40,7 +40,7 @@ double planned_memory(const Scene& scene, const PlannedWork& work) {
         (scene.output.fluxes ? 2.0 * 4.0 * work.values : 0.0);  // of the steps, and at instants
     const double sampling = plan_costs.sampled_entry * work.sky.sampled;
     const double pictures = plan_costs.instrument_sample * work.samples +
-                            work.pictures.largest_view * (1.0 + others) +
+                            work.pictures.largest_view + others * work.pictures.largest_other +
                             4.0 * work.values * (1.0 + others) +
                             (scene.observers.empty() ? 0.0 : plan_costs.pictured_facet * facets);
     return plan_costs.program + plan_costs.facet * facets +

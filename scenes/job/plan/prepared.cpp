@@ -200,7 +200,7 @@ Prepared prepare(Scene scene) {
     for (std::string& note : notes_on_heights(scene)) notes.push_back(std::move(note));
     for (std::string& note : notes_on_grey(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather, &rays, pictures,
-                          std::max<std::size_t>(1, movement_of_objects.stage.size()));
+                          std::max<std::size_t>(1, movement_of_objects.stage.size()), plumes);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (scene.air.sounding) {
         const std::vector<std::string>& repaired = scene.air.sounding->notes;

@@ -77,7 +77,8 @@ fs::path sweep_around(const fs::path& folder) {
 
 bool is_sweep_folder(const fs::path& folder) {
     return !first_with(folder, "variants", "variant.json").empty() ||
-           !first_with(folder, "heat", "done.json").empty();
+           !first_with(folder, "heat", "done.json").empty() ||
+           !first_with(folder, "heat", "temperatures.nc").empty();
 }
 
 }  // namespace diurna

@@ -20,7 +20,7 @@ struct SceneHeat {
 };
 
 /// As solve_scene(). From the cache only if its stored instants include those needed; not if state
-/// or fluxes are requested.
+/// or fluxes are requested, or the scene has radiometers.
 ///
 /// - inputs: of the run, for a scene that is unchanged since it was read
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,

@@ -279,17 +279,6 @@ class Job {
     std::string earlier_key_{};  // of the run that the folder held; "": none
 };
 
-/// Refuses a folder by what is known before the scene's files are read.
-void check_folder(const Scene& scene, const JobOptions& options) {
-    check_run_folder(options.out, FolderKind::run);
-    check_not_in_use(options.out);
-    for (const fs::path& part : options.parts) refuse_own(options.out, part, "FOLDERS");
-    if (!options.from.empty()) refuse_own(options.out, options.from, "--from");
-    check_no_input_in(options.out, paths_of(named_inputs(scene)));
-    check_clearable(options.out, run_files(scene, chosen_pictures(scene, options.pictures),
-                                           !options.temperatures.empty()));
-}
-
 /// Folders of runs that this one continues.
 std::vector<fs::path> earlier_folders(const JobOptions& options) {
     std::vector<fs::path> folders = options.parts;
@@ -300,8 +289,18 @@ std::vector<fs::path> earlier_folders(const JobOptions& options) {
 
 }  // namespace
 
+void check_job_folder(const Scene& scene, const JobOptions& options) {
+    check_run_folder(options.out, FolderKind::run);
+    check_not_in_use(options.out);
+    for (const fs::path& part : options.parts) refuse_own(options.out, part, "FOLDERS");
+    if (!options.from.empty()) refuse_own(options.out, options.from, "--from");
+    check_no_input_in(options.out, paths_of(named_inputs(scene)));
+    check_clearable(options.out, run_files(scene, chosen_pictures(scene, options.pictures),
+                                           !options.temperatures.empty()));
+}
+
 JobReport run_job(Scene scene, const JobOptions& options) {
-    check_folder(scene, options);
+    check_job_folder(scene, options);
     Progress progress(options.progress);
     progress.stage(StageId::terrain);
     const auto prepare_it = [&](Scene of) {

@@ -36,6 +36,10 @@ struct JobOptions {
     ProgressTo progress{};
 };
 
+/// Throws InputError if run_job() would refuse its folder, by what is known before the scene's
+/// files are read. Writes nothing.
+void check_job_folder(const Scene& scene, const JobOptions& options);
+
 /// The whole job: plan, build, solve, render, write. Results are the same bytes for any number of
 /// threads. A killed run leaves only complete files and can be resumed.
 JobReport run_job(Scene scene, const JobOptions& options);

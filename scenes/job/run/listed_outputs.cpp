@@ -68,6 +68,8 @@ ListedOutputs listed_outputs(const fs::path& folder) {
         listed.scene = listed_text(json, "scene_file");
         listed.key = listed_text(json, "key");
         listed.settings = listed_texts(json, "settings");
+        const Json inputs = json.value("inputs", Json::object());
+        for (const auto& [name, digest] : inputs.items()) listed.inputs.emplace_back(name);
         for (const Json& round : json.value("rounds", Json::array())) {
             listed.rounds.emplace_back(listed_text(round, "missed"),
                                        listed_texts(round, "settings"));

@@ -19,6 +19,7 @@ struct ListedOutputs {
     std::vector<std::pair<std::string, std::vector<std::string>>> rounds{};
     std::string key{};                            // of a run: job_key()
     std::map<std::string, std::string> digest{};  // SHA-256 by name, relative to the folder
+    std::vector<std::filesystem::path> inputs{};  // of a run, as it named them
 };
 ListedOutputs listed_outputs(const std::filesystem::path& folder);
 

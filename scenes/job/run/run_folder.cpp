@@ -13,6 +13,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/unfinished.hpp"
+#include "scenes/job/plan/sweep_folder.hpp"
 #include "scenes/job/run/ledger.hpp"
 #include "scenes/job/run/listed_outputs.hpp"
 
@@ -32,10 +33,6 @@ bool holds_files(const fs::path& folder) {
         if (counts && !is_temporary_name(entry.path().filename().string())) return true;
     }
     return false;
-}
-
-bool is_sweep(const fs::path& out) {
-    return fs::is_directory(out / "variants") || fs::is_directory(out / "heat");
 }
 
 /// "frames/east_8-12_20260715T040000Z.exr" -> "east_8-12_20260715T040000Z"
@@ -116,13 +113,31 @@ void check_run_folder(const fs::path& out, FolderKind kind) {
             refuse(out, fmt::format("has a symbolic link in place of its folder {}", inner), "");
         }
     }
-    if (is_sweep(out) != (kind == FolderKind::sweep) && holds_files(out) &&
-        (is_sweep(out) || is_listed(out))) {
-        refuse(out, is_sweep(out) ? "holds the results of a sweep" : "holds the results of a run",
+    const bool of_sweep = is_sweep_folder(out), written = of_sweep || is_listed(out);
+    if (written && of_sweep != (kind == FolderKind::sweep) && holds_files(out)) {
+        refuse(out, of_sweep ? "holds the results of a sweep" : "holds the results of a run",
                "choose another folder");
     }
-    if (is_sweep(out) || is_listed(out) || !holds_files(out)) return;
+    if (written || !holds_files(out)) return;
     refuse(out, "holds files that are not results of a run", "choose another folder, new or empty");
+}
+
+bool is_results_folder(const fs::path& folder) {
+    std::error_code problem;
+    const fs::path whole = fs::weakly_canonical(folder, problem);
+    if (is_listed(whole) || is_sweep_folder(whole)) return true;
+    fs::path inner;
+    for (fs::path around = whole; around.has_relative_path();) {
+        inner = around.filename() / inner;
+        around = around.parent_path();
+        const std::string first = inner.begin()->string();
+        if (is_listed(around) && std::find(std::begin(own_folders), std::end(own_folders), first) !=
+                                     std::end(own_folders)) {
+            return true;
+        }
+        if ((first == "variants" || first == "heat") && is_sweep_folder(around)) return true;
+    }
+    return false;
 }
 
 void check_not_in_use(const fs::path& out, bool shared) {

@@ -18,6 +18,10 @@ enum class FolderKind { run, sweep };
 /// content than an earlier run's (or sweep's) results. Writes nothing.
 void check_run_folder(const std::filesystem::path& out, FolderKind kind);
 
+/// Whether a folder is that of a run or sweep, or one inside it that its files fill ("frames",
+/// "variants/v0").
+bool is_results_folder(const std::filesystem::path& folder);
+
 /// Throws InputError if another process has locked it (FolderLock). Writes nothing, and locks
 /// nothing either.
 ///

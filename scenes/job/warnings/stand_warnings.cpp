@@ -9,6 +9,7 @@
 #include "scenes/job/warnings/scene_warnings.hpp"
 #include "scenes/job/world/stance.hpp"
 #include "scenes/job/world/structures.hpp"
+#include "terrain/objects/contact_points.hpp"
 
 namespace diurna {
 
@@ -111,11 +112,45 @@ std::vector<Eigen::Isometry3d> course_of(const Prepared& prepared, std::size_t o
     return {stance_in(prepared.scene.terrain.objects[object].placing).pose()};
 }
 
+/// Whether its pitch and roll are given, by its keys or by the log of its trajectory.
+bool turned_by_input(const Scene& scene, const ObjectInput& object) {
+    return object.angles_given ||
+           (!object.trajectory.empty() &&
+            !find_trajectory(scene.trajectories, object.trajectory)->way.attitude.empty());
+}
+
+/// Of an object that its given pitch and roll turn into the ground: on its side or its roof its
+/// lowest points are not its contact points. None where it stands well.
+std::optional<Mistake> turn_warning(const Prepared& prepared, std::size_t o) {
+    const Scene& scene = prepared.scene;
+    const ObjectInput& object = scene.terrain.objects[o];
+    if (!turned_by_input(scene, object)) return std::nullopt;
+    const bool goes = !object.trajectory.empty(),
+               on_ground = !goes && object.stands.over == HeightOver::ground;
+    const double meant = on_ground ? std::max(0.0, -object.stands.metres) : 0.0;
+    const ContactRays rays(prepared, object_id(scene, o));
+    double depth = 0.0;
+    for (const Eigen::Isometry3d& pose : course_of(prepared, o)) {
+        const auto lowest = contact_points(*object.mesh, object.placing, pose.linear());
+        depth = std::max(depth, -rays.heights(lowest, pose).lowest);
+    }
+    if (depth <= allowed_gap + meant) return std::nullopt;
+    return Mistake{
+        fmt::format("{}: object.{}", scene.file.string(), object.name),
+        fmt::format("is buried up to {:.2f} m in the ground{}: pitch and roll turn it about the "
+                    "middle of its base, whose height is the given one (limit {:g} m)",
+                    depth, goes ? " along its trajectory" : "", allowed_gap),
+        fmt::format("increase its height by {:.2f} m, or give the pitch and roll of the ground's "
+                    "slope",
+                    depth - meant)};
+}
+
 /// Of one object; none where it stands well.
 std::optional<Mistake> stand_warning(const Prepared& prepared, std::size_t o) {
     const Scene& scene = prepared.scene;
     const ObjectInput& object = scene.terrain.objects[o];
     if (object.airspeed > 0.0 || object.contact.empty()) return std::nullopt;
+    if (auto turned = turn_warning(prepared, o)) return turned;
     const bool goes = !object.trajectory.empty();
     if (!goes && object.stands.over != HeightOver::ground) return std::nullopt;
     const bool may_float =

@@ -9,8 +9,8 @@ namespace diurna {
 
 /// Contrast of an object with its background, in the unit of a plane.
 ///
-/// Its background is every pixel outside its mask in the box of twice its box's width and
-/// height about the same middle (at least 2 pixels more on each side), within the picture:
+/// Its background is every pixel outside its mask in the box that extends its box by half its
+/// width (height) on each side, rounded up to whole pixels, at least 2, within the picture:
 /// everything visible there, sky and other objects too. Pixels whose value is not finite are
 /// skipped.
 struct Contrast {

@@ -8,7 +8,7 @@ namespace diurna {
 std::vector<Labelled> labelled_objects(const Scene& scene, const World& world) {
     std::vector<Labelled> objects{{.name = world.objects.front(), .kind = ""}};
     for (const GroundPolygon& ground : scene.terrain.polygons) {
-        objects.push_back({ground.name, ground.kind});
+        objects.push_back({ground.name, ground.kind, ground.heading_deg});
     }
     for (const Building& building : scene.terrain.buildings) {
         objects.push_back({building.name, building.kind, building.heading_deg});

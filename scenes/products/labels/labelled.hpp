@@ -12,7 +12,7 @@ namespace diurna {
 struct Labelled {
     std::string name;          // in the scene file
     std::string kind;          // its class; "": the ground, which has no labels
-    double heading_deg = 0.0;  // direction its front faces, clockwise from north
+    double heading_deg = 0.0;  // of its front, a rectangle's length; clockwise from north
     bool group = false;        // several things under one name: the buildings of [[shapes]]
 };
 

@@ -84,8 +84,9 @@ class RayScene {
     std::uint32_t next(Ray& ray) const;
 
     std::unique_ptr<EmbreeScene> embree_;
-    std::vector<PassedLight> passed_;  // (material)
-    std::vector<Side> facets_;         // (facet); empty if all are opaque and no sheets
+    std::unique_ptr<EmbreeScene> see_through_;  // facets that transmit the sun's beam; null: none
+    std::vector<PassedLight> passed_;           // (material)
+    std::vector<Side> facets_;                  // (facet); empty if all are opaque and no sheets
 };
 
 }  // namespace diurna

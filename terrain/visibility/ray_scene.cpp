@@ -17,22 +17,11 @@ constexpr std::size_t width = 8;
 constexpr auto alike = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 constexpr auto scattered = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 
-/// Switches off lanes without a ray, and sets what is alike for all.
-void prepare(std::size_t lanes, RTCRay8& packet, int (&valid)[width]) {
-    for (std::size_t i = 0; i < width; ++i) {
-        valid[i] = i < lanes ? -1 : 0;
-        packet.time[i] = 0.5f;
-        packet.mask[i] = 0xFFFFFFFFu;
-        packet.id[i] = 0;
-        packet.flags[i] = 0;
-    }
-}
-
 /// Lays up to `width` rays side by side.
 void pack(std::span<const Ray> rays, RTCRay8& packet, int (&valid)[width]) {
-    prepare(rays.size(), packet, valid);
     for (std::size_t i = 0; i < width; ++i) {
         const Ray& ray = rays[i < rays.size() ? i : 0];
+        valid[i] = i < rays.size() ? -1 : 0;  // lanes without a ray are switched off
         packet.org_x[i] = ray.origin.x();
         packet.org_y[i] = ray.origin.y();
         packet.org_z[i] = ray.origin.z();
@@ -42,21 +31,34 @@ void pack(std::span<const Ray> rays, RTCRay8& packet, int (&valid)[width]) {
         packet.tnear[i] = ray.near;
         packet.tfar[i] = ray.far;
         packet.time[i] = ray.time;
+        packet.mask[i] = 0xFFFFFFFFu;
+        packet.id[i] = 0;
+        packet.flags[i] = 0;
     }
 }
 
-/// Those from `start` on, of which the first `lanes` of all are rays.
-void pack(const RayPacket& rays, std::size_t start, std::size_t lanes, RTCRay8& packet,
-          int (&valid)[width]) {
-    prepare(lanes - start, packet, valid);
-    std::copy_n(rays.origin_x.begin() + start, width, packet.org_x);
-    std::copy_n(rays.origin_y.begin() + start, width, packet.org_y);
-    std::copy_n(rays.origin_z.begin() + start, width, packet.org_z);
-    std::copy_n(rays.direction_x.begin() + start, width, packet.dir_x);
-    std::copy_n(rays.direction_y.begin() + start, width, packet.dir_y);
-    std::copy_n(rays.direction_z.begin() + start, width, packet.dir_z);
-    std::fill_n(packet.tnear, width, 0.0f);
-    std::fill_n(packet.tfar, width, 1e30f);
+Ray ray_of(const RayPacket& rays, std::size_t i) {
+    return {.origin = {rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]},
+            .direction = {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}};
+}
+
+/// Rays that go apart take less time one after the other than side by side.
+RTCRayHit alone(const Ray& ray) {
+    RTCRayHit one;
+    one.ray = {.org_x = ray.origin.x(),
+               .org_y = ray.origin.y(),
+               .org_z = ray.origin.z(),
+               .tnear = ray.near,
+               .dir_x = ray.direction.x(),
+               .dir_y = ray.direction.y(),
+               .dir_z = ray.direction.z(),
+               .time = ray.time,
+               .tfar = ray.far,
+               .mask = 0xFFFFFFFFu,
+               .id = 0,
+               .flags = 0};
+    one.hit.geomID = one.hit.primID = one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return one;
 }
 
 void nothing_hit(RTCHit8& hit) {
@@ -156,6 +158,17 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
 
 void RayScene::nearest(std::span<const Ray> rays, std::span<Nearest> found) const {
     RTCIntersectContext context = intersect_context(alike);
+    const auto none = Nearest{static_cast<std::uint32_t>(index(no_facet)), 0.0f};
+    if (rays.size() == 1) {
+        const Ray& ray = rays[0];
+        RTCRayHit one = alone(ray);
+        rtcIntersect1(embree_->scene, &context, &one);
+        found[0] = none;
+        if (one.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+        const std::uint32_t met = embree_->met(one.hit.primID, one.hit.instID[0]);
+        found[0] = {embree_->facing(met, ray.direction), embree_->range(ray, met, one.ray.tfar)};
+        return;
+    }
     alignas(32) int valid[width];
     alignas(32) RTCRayHit8 packet;
     for (std::size_t start = 0; start < rays.size(); start += width) {
@@ -165,7 +178,7 @@ void RayScene::nearest(std::span<const Ray> rays, std::span<Nearest> found) cons
         rtcIntersect8(valid, embree_->scene, &context, &packet);
         for (std::size_t i = 0; i < some.size(); ++i) {
             if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
-                found[start + i] = {static_cast<std::uint32_t>(index(no_facet)), 0.0f};
+                found[start + i] = none;
                 continue;
             }
             const std::uint32_t met = embree_->met(packet.hit.primID[i], packet.hit.instID[0][i]);
@@ -256,30 +269,21 @@ void RayScene::along(const Ray& from, bool sunlight, std::vector<Met>& met) cons
 void RayScene::closest(const RayPacket& rays, int lanes,
                        std::array<std::uint32_t, 16>& facet) const {
     RTCIntersectContext context = intersect_context(scattered);
-    alignas(32) int valid[width];
-    alignas(32) RTCRayHit8 packet;
-    for (std::size_t start = 0; start < static_cast<std::size_t>(lanes); start += width) {
-        pack(rays, start, static_cast<std::size_t>(lanes), packet.ray, valid);
-        nothing_hit(packet.hit);
-        rtcIntersect8(valid, embree_->scene, &context, &packet);
-        for (std::size_t i = 0; i < width; ++i) {
-            const std::size_t ray = start + i;
-            facet[ray] = embree_->facing(
-                embree_->met(packet.hit.primID[i], packet.hit.instID[0][i]),
-                {rays.direction_x[ray], rays.direction_y[ray], rays.direction_z[ray]});
-        }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+        const Ray ray = ray_of(rays, i);
+        RTCRayHit one = alone(ray);
+        rtcIntersect1(embree_->scene, &context, &one);
+        facet[i] = embree_->facing(embree_->met(one.hit.primID, one.hit.instID[0]), ray.direction);
     }
 }
 
 void RayScene::occluded(const RayPacket& rays, int lanes,
                         std::array<std::uint8_t, 16>& blocked) const {
     RTCIntersectContext context = intersect_context(scattered);
-    alignas(32) int valid[width];
-    alignas(32) RTCRay8 packet;
-    for (std::size_t start = 0; start < static_cast<std::size_t>(lanes); start += width) {
-        pack(rays, start, static_cast<std::size_t>(lanes), packet, valid);
-        rtcOccluded8(valid, embree_->scene, &context, &packet);
-        for (std::size_t i = 0; i < width; ++i) blocked[start + i] = is_blocked(packet, i);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lanes); ++i) {
+        RTCRayHit one = alone(ray_of(rays, i));
+        rtcOccluded1(embree_->scene, &context, &one.ray);
+        blocked[i] = one.ray.tfar < 0.0f;
     }
 }
 

@@ -391,15 +391,17 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
     const Eigen::Vector3f to_sun = sun.to_sun.cast<float>();
     std::vector<float> least(facets.vertex.size(), 1.0f), most(facets.vertex.size(), 0.0f);
     std::vector<std::span<const float>> moments = sun.also;
-    moments.push_back(sun.fraction);
-    for (const std::span<const float> fraction : moments) {
-        if (fraction.empty()) continue;
-        for (std::size_t f = 0; f < known; ++f) {
-            if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
-            for (const std::uint32_t v : facets.corner[f]) {
-                least[v] = std::min(least[v], fraction[f]);
-                most[v] = std::max(most[v], fraction[f]);
-            }
+    std::erase_if(moments, [](const auto& fraction) { return fraction.empty(); });
+    for (std::size_t f = 0; f < known; ++f) {
+        if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
+        float low = sun.fraction[f], high = low;
+        for (const std::span<const float> fraction : moments) {
+            low = std::min(low, fraction[f]);
+            high = std::max(high, fraction[f]);
+        }
+        for (const std::uint32_t v : facets.corner[f]) {
+            least[v] = std::min(least[v], low);
+            most[v] = std::max(most[v], high);
         }
     }
     for (std::size_t f = 0; f < known; ++f) {

@@ -116,8 +116,8 @@ double sampling_error(const View& view, const Appearance& appearance, const Seen
     std::vector<double> of_mean(view.pixels());
     for_each_index(of_mean.size(), [&](std::size_t p) {
         const double samples = double{view.samples[p]};
-        of_mean[p] =
-            own_variance_of_one(view, p, {&appearance, 1}, samples, seen) / (samples * std::sqrt(samples));
+        of_mean[p] = own_variance_of_one(view, p, {&appearance, 1}, samples, seen) /
+                     (samples * std::sqrt(samples));
     });
     double sum = 0.0;
     for (const double of : of_mean) sum += of;

@@ -7,6 +7,19 @@
 
 namespace diurna {
 
+namespace {
+
+std::size_t bytes_of(const View& view) {
+    const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
+    return bytes(view.surface) + bytes(view.range) + bytes(view.range_root) +
+           bytes(view.target_height) + bytes(view.row) + bytes(view.sighting) + bytes(view.sky) +
+           bytes(view.sky_zenith_deg) + bytes(view.sky_azimuth_deg) + bytes(view.centre) +
+           bytes(view.centre_range) + bytes(view.centre_blend) + bytes(view.copy) +
+           bytes(view.centre_copy);
+}
+
+}  // namespace
+
 Stages::Stages(const Prepared& prepared, std::shared_ptr<const StageStore> store)
     : prepared_(prepared), store_(std::move(store)) {
     own_.resize(prepared.movement.none() ? 1 : prepared.movement.stage.size());
@@ -32,19 +45,6 @@ SceneStage Stages::at(std::size_t stage) const {
     }
     return {here, *own.views, store()};
 }
-
-namespace {
-
-std::size_t bytes_of(const View& view) {
-    const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-    return bytes(view.surface) + bytes(view.range) + bytes(view.range_root) +
-           bytes(view.target_height) + bytes(view.row) + bytes(view.sighting) + bytes(view.sky) +
-           bytes(view.sky_zenith_deg) + bytes(view.sky_azimuth_deg) + bytes(view.centre) +
-           bytes(view.centre_range) + bytes(view.centre_blend) + bytes(view.copy) +
-           bytes(view.centre_copy);
-}
-
-}  // namespace
 
 void Stages::keep_view(std::size_t observer, std::size_t stage, View view) const {
     constexpr std::size_t most_bytes = std::size_t{1} << 27;

@@ -58,8 +58,9 @@ void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun
         const double first = more + input.temperature[index(b.first)];
         if (b.second_share == 0.0f) return first;
         const double second = more + input.temperature[index(b.second)];
+        const auto fourth = [](double x) { return (x * x) * (x * x); };
         return std::sqrt(
-            std::sqrt(std::lerp(std::pow(first, 4), std::pow(second, 4), double{b.second_share})));
+            std::sqrt(std::lerp(fourth(first), fourth(second), double{b.second_share})));
     });
     frame.planes.push_back({"range", "m", view.centre_range});
     add("facet", "1", -1.0f, [&](std::size_t f) { return f; });

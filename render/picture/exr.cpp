@@ -6,15 +6,19 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
@@ -27,23 +31,28 @@ namespace {
 /// OpenEXR does not report every failure to write the last bytes of a file; memory does not fail.
 class MemoryOut : public OPENEXR_IMF_NAMESPACE::OStream {
  public:
-    MemoryOut() : OStream("memory") {}
+    /// - expected: bytes, about
+    explicit MemoryOut(std::size_t expected) : OStream("memory") { grow(expected); }
     void write(const char from[], int n) override {
         const std::size_t end = place_ + static_cast<std::size_t>(n);
-        if (end > bytes_.size()) {
-            if (end > bytes_.capacity()) bytes_.reserve(std::max(end, 2 * bytes_.capacity()));
-            bytes_.resize(end);
-        }
-        std::memcpy(bytes_.data() + place_, from, static_cast<std::size_t>(n));
+        if (end > room_) grow(std::max(end, 2 * room_));
+        std::memcpy(bytes_.get() + place_, from, static_cast<std::size_t>(n));
         place_ = end;
+        size_ = std::max(size_, end);
     }
     std::uint64_t tellp() override { return place_; }
     void seekp(std::uint64_t place) override { place_ = place; }
-    std::span<const std::byte> bytes() const { return bytes_; }
+    std::span<const std::byte> bytes() const { return {bytes_.get(), size_}; }
 
  private:
-    std::vector<std::byte> bytes_;
-    std::size_t place_ = 0;
+    void grow(std::size_t room) {
+        auto more = std::make_unique_for_overwrite<std::byte[]>(room);
+        if (size_ > 0) std::memcpy(more.get(), bytes_.get(), size_);
+        bytes_ = std::move(more);
+        room_ = room;
+    }
+    std::unique_ptr<std::byte[]> bytes_{};
+    std::size_t room_ = 0, size_ = 0, place_ = 0;
 };
 
 /// A file that is larger than what is wanted of it.
@@ -133,6 +142,43 @@ std::size_t pixels_of(const Imf::Header& header, int& width, int& height) {
     return static_cast<std::size_t>(w * h);
 }
 
+/// Whether a line is stored as its planes' values, one after the other in the order of their names.
+bool is_plain(const Imf::Header& header) {
+    bool plain = header.compression() == Imf::NO_COMPRESSION &&
+                 (!header.hasType() || header.type() == Imf::SCANLINEIMAGE);
+    plain = plain && !header.hasTileDescription();
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+        const Imf::Channel& channel = c.channel();
+        plain =
+            plain && channel.type == Imf::FLOAT && channel.xSampling == 1 && channel.ySampling == 1;
+    }
+    return plain && std::endian::native == std::endian::little;
+}
+
+/// Copies the planes of a frame from the lines of such a file: OpenEXR takes them value by value.
+void read_plain(Imf::InputFile& file, Frame& frame) {
+    const auto& window = file.header().dataWindow();
+    const std::size_t line = sizeof(float) * static_cast<std::size_t>(frame.width);
+    std::vector<std::pair<std::size_t, float*>> parts;  // of a line: where it begins, and its plane
+    std::size_t start = 0;
+    for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c) {
+        const auto plane = std::find_if(frame.planes.begin(), frame.planes.end(),
+                                        [&](const Plane& p) { return p.name == c.name(); });
+        if (plane != frame.planes.end()) parts.emplace_back(start, plane->pixel.data());
+        start += line;
+    }
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        const char* bytes = nullptr;
+        int size = 0;
+        file.rawPixelData(y, bytes, size);
+        if (size < 0 || static_cast<std::size_t>(size) != start) {
+            throw std::runtime_error("has lines of another length");
+        }
+        const auto row = static_cast<std::size_t>(y - window.min.y) * std::size_t(frame.width);
+        for (const auto& [from, plane] : parts) std::memcpy(plane + row, bytes + from, line);
+    }
+}
+
 /// - wanted: null: every plane
 Frame read_planes(const std::filesystem::path& path, const std::span<const std::string>* wanted);
 
@@ -140,7 +186,8 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
 
 void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompression compression,
                const CameraTags* camera) {
-    MemoryOut memory;
+    constexpr std::size_t header_bytes = 1 << 16;
+    MemoryOut memory(header_bytes + frame.planes.size() * frame.pixels() * sizeof(float));
     try {
         Imf::Header header(frame.width, frame.height);
         header.compression() = openexr(compression);
@@ -221,6 +268,10 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
                                     .pixel = std::vector<float>(frame.pixels())});
         }
         if (frame.planes.empty()) return frame;  // none of those wanted: OpenEXR refuses to read
+        if (is_plain(header)) {
+            read_plain(file, frame);
+            return frame;
+        }
         const auto corner = header.dataWindow().min;
         for (const Plane& plane : frame.planes) {
             const std::ptrdiff_t offset =

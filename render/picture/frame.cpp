@@ -25,8 +25,13 @@ Frame band_frame(const Frame& frame, const std::string& band, bool truth) {
     const auto of_no_band = [](const std::string& name) {
         return name.find('.') == std::string::npos || name.starts_with("normal.");
     };
-    Frame part = frame;
-    part.planes.clear();
+    Frame part{.width = frame.width,
+               .height = frame.height,
+               .instant = frame.instant,
+               .observer = frame.observer,
+               .planes = {},
+               .notes = frame.notes,
+               .attributes = frame.attributes};
     // Notes of a band have its name behind a dot.
     std::erase_if(part.notes, [&](const auto& note) {
         const std::size_t dot = note.first.find('.');

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "materials/base/fast_exp.hpp"
 #include "materials/base/parallel.hpp"
-#include "materials/base/units.hpp"
+#include "render/eye/facet_rows.hpp"
+#include "render/light/lanes.hpp"
 
 namespace diurna {
 
@@ -17,130 +17,164 @@ namespace {
 constexpr std::size_t arriving_rows = 3 * origin_count;
 constexpr std::size_t all_rows = arriving_rows + sent_rows.size();
 
-/// Planck's law at the nodes, within 1e-14 of planck(): of many facets, so in vector code.
-std::vector<double> glow(const Band& band, double temperature) {
-    std::vector<double> radiance(band.node_um.size());
-    for (std::size_t n = 0; n < radiance.size(); ++n) {
-        const double um = band.node_um[n], square = um * um;
-        const double x = std::min(second_radiation_um / (um * temperature), 600.0);
-        radiance[n] = first_radiation_um / (square * square * um * (fast_exp(x) - 1.0));
-    }
-    return radiance;
+/// Numbers of an EyeRow that a row is made of.
+struct Numbers {
+    std::size_t first, last;
+};
+Numbers numbers_of(const EyeRow& layout, std::size_t row) {
+    if (row == 0) return {0, layout.thermal};
+    if (row < 1 + origin_count) return {layout.thermal, layout.sky()};
+    if (row < 2 * origin_count) return {layout.sky(), layout.sun()};
+    return {0, layout.one() + 1};
 }
 
-/// What the rows of a facet come to in one band.
-class BandRows {
+/// What the numbers of an EyeRow come to in the channels of a band, for facets of one material: the
+/// sum over a channel's nodes is the same for all of them.
+class BandWorth {
  public:
-    /// - i: index of a lit facet
-    /// - arriving: from the facets around, in the modes of the band
-    BandRows(const SceneLight& light, const BandLight& band, std::size_t i,
-             std::span<const float> arriving)
-        : band_(band), optics_(band.optics[index(light.lit.material[i])]) {
-        const LitFacets& lit = light.lit;
-        const Material& material = light.input.materials[lit.material[i]];
-        room_behind_ = !optics_.room.empty() && !material.see_through;
-        up_ = height_weights(lit.height[i]);
-        heat_ = glow(band.band, double{light.state.temperature[i]});
-        add_sky(light, i);
-        sunlight_ = double{light.state.sunlight[i]};
-        Eigen::VectorXd modes(static_cast<Eigen::Index>(arriving.size()));
-        for (std::size_t k = 0; k < arriving.size(); ++k) {
-            modes[static_cast<Eigen::Index>(k)] = double{arriving[k]};
-        }
-        arriving_ = band.basis.mode * modes;
-    }
-
-    /// In a channel, in the order of FacetLanes.
-    std::array<double, all_rows> sum(std::size_t channel) const {
-        std::array<double, all_rows> sum{};
-        const auto& first = band_.channels.first;
-        for (std::size_t k = first[channel]; k < first[channel + 1]; ++k) add_node(k, sum);
-        return sum;
-    }
-
- private:
-    void add_sky(const SceneLight& light, std::size_t i) {
-        const LitFacets& lit = light.lit;
-        std::array<float, SkyModes::most> share;
-        band_.sky.of(lit.sky_view[i], light.state.uneven[i], light.state.narrow_of(i), up_,
-                     share.data());
-        const std::vector<double>& weight = band_.band.weight;
-        for (std::size_t o = 1; o < origin_count; ++o) {
-            sky_[o].assign(weight.size(), 0.0);
-            for (std::size_t m = 0; m < band_.sky.size(); ++m) {
-                const std::vector<double>& mode = band_.sky.spectrum[m][o];
-                if (mode.empty()) continue;
-                for (std::size_t k = 0; k < weight.size(); ++k) {
-                    sky_[o][k] += weight[k] * double{share[m]} * mode[k];
+    BandWorth(const SceneLight& light, const BandLight& band, const EyeRow& layout, MaterialId of)
+        : band_(band),
+          optics_(band.optics[index(of)]),
+          layout_(layout),
+          room_behind_(!optics_.room.empty() && !light.input.materials[of].see_through),
+          channels_(rounded_up(band.channels.size())),
+          worth_(all_rows * (layout.one() + 1) * channels_, 0.0f) {
+        Rows rows(all_rows, Eigen::Index(layout.one() + 1));
+        for (std::size_t c = 0; c < band.channels.size(); ++c) {
+            rows.setZero();
+            for (std::size_t n = band.channels.first[c]; n < band.channels.first[c + 1]; ++n) {
+                add_node(n, rows);
+            }
+            for (std::size_t r = 0; r < sent_rows.size(); ++r) {
+                const auto o = static_cast<Eigen::Index>(sent_rows[r].origin);
+                rows.row(Eigen::Index(2 * origin_count) + o) +=
+                    rows.row(Eigen::Index(arriving_rows + r));
+            }
+            for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+                for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+                    worth_[std::size_t(r * rows.cols() + k) * channels_ + c] =
+                        static_cast<float>(rows(r, k));
                 }
             }
         }
     }
 
-    void add_node(std::size_t k, std::array<double, all_rows>& sum) const {
-        const double w = band_.band.weight[k];
-        const double heat = w * heat_[k];
-        std::array<double, origin_count> around = band_.basis.by_origin(arriving_, k), sky{};
-        for (double& x : around) x *= band_.basis.root_weight[static_cast<Eigen::Index>(k)];
-        double of_sun = 0.0;
-        for (std::size_t h = 0; sunlight_ > 0.0 && h < 3; ++h) {
-            const double up = w * double{up_[h]};
-            of_sun += up * sunlight_ * band_.incident[h].from_sun(k);
+    /// Sums of the first rows, (row, channel), `apart` from one to the next.
+    void sum(std::span<const float> numbers, std::size_t rows, std::size_t apart,
+             float* out) const {
+        for (std::size_t r = 0; r < rows; ++r) {
+            const auto [first, last] = numbers_of(layout_, r);
+            const float* const row = &worth_[r * (layout_.one() + 1) * channels_];
+            for (std::size_t c = 0; c < channels_; c += lane_count) {
+                Lane sum = Lane::Zero();
+                for (std::size_t k = first; k < last; ++k) {
+                    sum += numbers[k] * load(row + k * channels_ + c);
+                }
+                Eigen::Map<Lane>(out + r * apart + c) = sum;
+            }
         }
-        for (std::size_t o = 1; o < origin_count; ++o) sky[o] = sky_[o][k];
-        sum[0] += heat;
-        for (std::size_t o = 0; o < origin_count; ++o) sum[1 + o] += around[o];
-        for (std::size_t o = 1; o < origin_count; ++o) sum[origin_count + o] += sky[o];
-        for (std::size_t r = 0; r < sent_rows.size(); ++r) {
-            const auto [term, origin] = sent_rows[r];
-            const auto o = static_cast<std::size_t>(origin);
-            const double sent =
-                term == Term::emitted ? optics_.emissivity[k] * heat
-                : term == Term::behind
-                    ? room_behind_ ? w * optics_.room[k] : optics_.transmittance[k] * heat
-                    : optics_.reflectance[k] * (term == Term::sun   ? of_sun
-                                                : term == Term::sky ? sky[o]
-                                                                    : around[o]);
-            sum[2 * origin_count + o] += sent;
-            sum[arriving_rows + r] += sent;
+    }
+
+ private:
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    static Eigen::Index sent(Term term, Origin origin) {
+        const auto found = std::find_if(sent_rows.begin(), sent_rows.end(), [&](const SentRow& of) {
+            return of.term == term && of.origin == origin;
+        });
+        return Eigen::Index(arriving_rows) + (found - sent_rows.begin());
+    }
+
+    void add_node(std::size_t n, Rows& rows) const {
+        const SpectralBasis& basis = band_.basis;
+        const double w = band_.band.weight[n], reflectance = optics_.reflectance[n];
+        const double root = basis.root_weight[Eigen::Index(n)];
+        const Eigen::Index emitted = sent(Term::emitted, Origin::surface),
+                           behind = sent(Term::behind, Origin::surface);
+        for (std::size_t k = 0; k < layout_.thermal; ++k) {
+            const auto at = static_cast<Eigen::Index>(k);
+            const double black = root * basis.mode(Eigen::Index(n), at);
+            rows(0, at) += black;
+            rows(emitted, at) += optics_.emissivity[n] * black;
+            if (!room_behind_) rows(behind, at) += optics_.transmittance[n] * black;
+        }
+        if (room_behind_) rows(behind, Eigen::Index(layout_.one())) += w * optics_.room[n];
+        for (std::size_t k = 0; k < layout_.light; ++k) {
+            const auto at = static_cast<Eigen::Index>(layout_.thermal + k);
+            const auto light = basis.by_origin(basis.mode.col(Eigen::Index(k)), n);
+            for (const Origin origin : all_origins) {
+                const auto o = static_cast<std::size_t>(origin);
+                rows(Eigen::Index(1 + o), at) += root * light[o];
+                rows(sent(Term::surroundings, origin), at) += reflectance * root * light[o];
+            }
+        }
+        for (const Origin origin : {Origin::sunlight, Origin::sky_heat}) {
+            for (std::size_t k = 0; k < layout_.skies; ++k) {
+                const std::vector<double>& sky = from(band_.sky.spectrum[k], origin);
+                if (sky.empty()) continue;
+                const auto at = static_cast<Eigen::Index>(layout_.sky() + k);
+                rows(Eigen::Index(origin_count) + static_cast<Eigen::Index>(origin), at) +=
+                    w * sky[n];
+                rows(sent(Term::sky, origin), at) += reflectance * w * sky[n];
+            }
+        }
+        for (std::size_t h = 0; h < band_.incident.size(); ++h) {
+            if (band_.incident[h].sun.empty()) continue;
+            rows(sent(Term::sun, Origin::sunlight), Eigen::Index(layout_.sun() + h)) +=
+                reflectance * w * band_.incident[h].from_sun(n);
         }
     }
 
     const BandLight& band_;
     const NodeOptics& optics_;
-    bool room_behind_ = false;
-    std::array<float, 3> up_{};
-    std::vector<double> heat_;  // (node)
-    double sunlight_ = 0.0;
-    std::array<std::vector<double>, origin_count> sky_{};  // (origin)(node) weighted
-    Eigen::VectorXd arriving_;                             // a sum of modes
+    EyeRow layout_;
+    bool room_behind_;
+    std::size_t channels_;      // padded
+    std::vector<float> worth_;  // (row, number, channel)
 };
+
+/// (material, band) of the materials of some facets; the rest stays empty.
+std::vector<std::vector<BandWorth>> worths_of(const SceneLight& light,
+                                              std::span<const EyeRow> layout,
+                                              std::span<const std::uint32_t> lit) {
+    std::vector<std::uint8_t> met(light.input.materials.size(), 0);
+    for (const std::uint32_t i : lit) met[index(light.lit.material[i])] = 1;
+    std::vector<std::vector<BandWorth>> worth(met.size());
+    for_each_index(
+        met.size(),
+        [&](std::size_t m) {
+            for (std::size_t b = 0; met[m] != 0 && b < layout.size(); ++b) {
+                worth[m].emplace_back(light, light.band[b], layout[b],
+                                      MaterialId{static_cast<std::uint16_t>(m)});
+            }
+        },
+        1);
+    return worth;
+}
 
 }  // namespace
 
 FacetLanes::FacetLanes(const SceneLight& light, std::size_t first, std::size_t targets,
                        const ChannelLanes& lanes, bool by_term)
     : lanes_(lanes.size()), rows_of_facet_(by_term ? all_rows : arriving_rows) {
-    const RadiosityTables& tables = light.tables;
     rows_.assign(targets * rows_of_facet_ * lanes_, 0.0f);
-    for_each_block(targets, 16, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> black(tables.lanes), arriving(tables.lanes);
+    const std::span<const std::uint32_t> lit = std::span(light.lit.target).subspan(first, targets);
+    const std::vector<EyeRow> layout(light.band.begin(), light.band.end());
+    const std::vector<std::vector<BandWorth>> worth = worths_of(light, layout, lit);
+    for_each_block(targets, 64, [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t ahead = 4;
+        FacetRows of_facet(light);
+        std::vector<std::vector<float>> numbers;  // (band)
+        std::vector<float*> into;
+        for (const EyeRow& row : layout) numbers.emplace_back(row.width(), 0.0f);
+        for (std::vector<float>& row : numbers) into.push_back(row.data());
         for (std::size_t t = begin; t < end; ++t) {
-            const std::size_t i = light.lit.target[first + t];
-            black_modes(tables, light.state.temperature[i], black.data());
-            light.radiosity.arriving(i, black.data(), arriving.data());
-            for (std::size_t b = 0; b < light.band.size(); ++b) {
-                const BandLight& band = light.band[b];
-                const BandRows rows(
-                    light, band, i,
-                    std::span(arriving).subspan(tables.first[b], band.basis.size()));
-                for (std::size_t c = 0; c < band.channels.size(); ++c) {
-                    const auto sum = rows.sum(c);
-                    for (std::size_t r = 0; r < rows_of_facet_; ++r) {
-                        rows_[(t * rows_of_facet_ + r) * lanes_ + lanes.first[b] + c] =
-                            static_cast<float>(sum[r]);
-                    }
-                }
+            if (t + ahead < end) light.radiosity.fetch(lit[t + ahead]);
+            of_facet.fill(lit[t], into);
+            const std::vector<BandWorth>& of = worth[index(light.lit.material[lit[t]])];
+            for (std::size_t b = 0; b < of.size(); ++b) {
+                of[b].sum(numbers[b], rows_of_facet_, lanes_,
+                          &rows_[t * rows_of_facet_ * lanes_ + lanes.first[b]]);
             }
         }
     });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
@@ -115,8 +116,8 @@ double sampling_error(const View& view, const Appearance& appearance, const Seen
     std::vector<double> of_mean(view.pixels());
     for_each_index(of_mean.size(), [&](std::size_t p) {
         const double samples = double{view.samples[p]};
-        of_mean[p] =
-            own_variance_of_one(view, p, {&appearance, 1}, samples, seen) / std::pow(samples, 1.5);
+        of_mean[p] = own_variance_of_one(view, p, {&appearance, 1}, samples, seen) /
+                     (samples * std::sqrt(samples));
     });
     double sum = 0.0;
     for (const double of : of_mean) sum += of;
@@ -147,7 +148,7 @@ std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOp
 
 View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                         std::span<const Appearance> appearances, const AdaptiveOptions& options,
-                        const ViewOptions& view_options) {
+                        const ViewOptions& view_options, std::optional<View> first) {
     const std::string where = "observer " + observer.name;
     if (options.from < 2 || options.to < options.from || options.to > 4096 ||
         !(options.tolerance > 0.0)) {
@@ -164,7 +165,7 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
     }
     ViewOptions round = view_options;
     round.samples = options.from;
-    View view = cast_view(scene, facets, observer, round);
+    View view = first ? std::move(*first) : cast_view(scene, facets, observer, round);
     const std::vector<double> of_one = variance_of_one(view, appearances, options.from);
     const std::vector<int> wanted = samples_wanted(of_one, options);
     view.samples.resize(view.pixels());

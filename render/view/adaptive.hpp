@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,8 +68,9 @@ double sampling_error(const View& view, const Appearance& appearance,
 std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOptions& options);
 
 /// cast_view() with `from` samples, then with more in the pixels that need them. `view.samples` is
-/// not used. A pixel's mean weights its two rounds by n^3/2, the inverse of their errors. Sets
-/// View::samples. The same for any number of threads.
+/// not used; `first`, if given, is the view with `from` samples. A pixel's mean weights its two
+/// rounds by n^3/2, the inverse of their errors. Sets View::samples. The same for any number of
+/// threads.
 ///
 /// Bias: an object with a share p of a pixel that all `from` independent samples miss, with
 /// probability (1 − p)^from, is only sampled again if its neighbours vary: it appears too faint by
@@ -76,6 +78,6 @@ std::vector<int> samples_wanted(std::span<const double> of_one, const AdaptiveOp
 /// would be three times that (tests/render/adaptive_test.cpp).
 View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                         std::span<const Appearance> appearances, const AdaptiveOptions& options,
-                        const ViewOptions& view = {});
+                        const ViewOptions& view = {}, std::optional<View> first = {});
 
 }  // namespace diurna

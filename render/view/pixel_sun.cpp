@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "materials/base/parallel.hpp"
@@ -148,6 +149,7 @@ class SampleCaster {
 
     /// Rays to the sun from what the first samples of the k-th pixel meet, or the others.
     void start_from(std::size_t k, std::size_t first_bundle, bool first) {
+        met_.reset();
         RandomStream random{hashed(seed_ ^ hashed(pixel_of(k)))};
         const double start_x = random(), start_y = random();
         int sample = 0;
@@ -176,13 +178,23 @@ class SampleCaster {
         }
     }
 
-    void add_rays(std::size_t k, std::size_t ray, const Copies::Place& met, int sample,
-                  const Eigen::Vector2d& at) {
+    /// Finds what belongs to a facet that samples of the k-th pixel meet, one after the other.
+    void meet(std::size_t k, const Copies::Place& met) {
         std::uint32_t entry = out_.row[k];
         while (entry < out_.row[k + 1] &&
                !(place_of(entry) == met.facet && copy_of(entry) == met.copy)) {
             ++entry;
         }
+        met_ = Met{met, entry,
+                   met.copy == no_copy
+                       ? LiftedFacet(sun_.facets, met.facet)
+                       : LiftedFacet(sun_.facets, met.facet, view_.copies[met.copy].pose)};
+    }
+
+    void add_rays(std::size_t k, std::size_t ray, const Copies::Place& met, int sample,
+                  const Eigen::Vector2d& at) {
+        if (!met_ || met_->place.facet != met.facet || met_->place.copy != met.copy) meet(k, met);
+        const std::uint32_t entry = met_->entry;
         if (entry == out_.row[k + 1]) return;
         towards_.clear();
         const std::uint8_t course = past_ ? past_->of_facet[met.facet] : PastSun::at_once;
@@ -191,9 +203,7 @@ class SampleCaster {
         } else {
             add_past(course, sample, view_.sighting[out_.sighting[entry]].weight);
         }
-        LiftedFacet lifted = met.copy == no_copy
-                                 ? LiftedFacet(sun_.facets, met.facet)
-                                 : LiftedFacet(sun_.facets, met.facet, view_.copies[met.copy].pose);
+        LiftedFacet lifted = met_->lifted;
         if (met.copy == no_copy) lifted.corner += sun_.rays.gone(met.facet, rays_.time[ray]);
         const Eigen::Vector3f from = place(ray, lifted);
         for (const Eigen::Vector3d& towards : towards_) {
@@ -277,6 +287,12 @@ class SampleCaster {
     int before_;             // samples
     std::size_t at_a_time_;  // pixels
     RayBundles rays_;
+    struct Met {
+        Copies::Place place;
+        std::uint32_t entry;  // of `out`; the next pixel's first: none
+        LiftedFacet lifted;
+    };
+    std::optional<Met> met_{};  // by the sample before
     std::size_t first_pixel_ = 0;
     std::vector<Eigen::Vector3d> towards_;  // of one sample
     std::vector<Ray> to_sun_;
@@ -375,15 +391,17 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
     const Eigen::Vector3f to_sun = sun.to_sun.cast<float>();
     std::vector<float> least(facets.vertex.size(), 1.0f), most(facets.vertex.size(), 0.0f);
     std::vector<std::span<const float>> moments = sun.also;
-    moments.push_back(sun.fraction);
-    for (const std::span<const float> fraction : moments) {
-        if (fraction.empty()) continue;
-        for (std::size_t f = 0; f < known; ++f) {
-            if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
-            for (const std::uint32_t v : facets.corner[f]) {
-                least[v] = std::min(least[v], fraction[f]);
-                most[v] = std::max(most[v], fraction[f]);
-            }
+    std::erase_if(moments, [](const auto& fraction) { return fraction.empty(); });
+    for (std::size_t f = 0; f < known; ++f) {
+        if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
+        float low = sun.fraction[f], high = low;
+        for (const std::span<const float> fraction : moments) {
+            low = std::min(low, fraction[f]);
+            high = std::max(high, fraction[f]);
+        }
+        for (const std::uint32_t v : facets.corner[f]) {
+            least[v] = std::min(least[v], low);
+            most[v] = std::max(most[v], high);
         }
     }
     for (std::size_t f = 0; f < known; ++f) {

@@ -30,7 +30,7 @@ class RayScene {
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
-    /// The nearest facet along each ray. Rays are traced 16 at a time in the order given: fastest
+    /// The nearest facet along each ray. Rays are traced 8 at a time in the order given: fastest
     /// if neighbours are similar.
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
     /// blocked[i] = 1 if a facet is between near and far.
@@ -40,7 +40,7 @@ class RayScene {
     const Copies& copies() const;
 
     /// The nearest facet's number along the first `lanes` rays, index(no_facet) without a
-    /// hit.
+    /// hit. For rays that go apart: each is traced alone.
     void closest(const RayPacket& rays, int lanes, std::array<std::uint32_t, 16>& facet) const;
     void occluded(const RayPacket& rays, int lanes, std::array<std::uint8_t, 16>& blocked) const;
 
@@ -84,8 +84,9 @@ class RayScene {
     std::uint32_t next(Ray& ray) const;
 
     std::unique_ptr<EmbreeScene> embree_;
-    std::vector<PassedLight> passed_;  // (material)
-    std::vector<Side> facets_;         // (facet); empty if all are opaque and no sheets
+    std::unique_ptr<EmbreeScene> see_through_;  // facets that transmit the sun's beam; null: none
+    std::vector<PassedLight> passed_;           // (material)
+    std::vector<Side> facets_;                  // (facet); empty if all are opaque and no sheets
 };
 
 }  // namespace diurna

@@ -190,6 +190,36 @@ TEST_CASE("any number of rays gives what each gives alone", "[terrain][rays]") {
     CHECK(seen > 20);
 }
 
+TEST_CASE("of a beam panes leave a share, and walls among them nothing", "[terrain][rays]") {
+    // From below, at x = 0, 10, 20, 30: a pane; two panes; a wall, a pane; a pane, a wall.
+    constexpr std::uint16_t pane = 0, wall = 1;
+    std::vector<Eigen::Vector3d> vertex;
+    Triangles triangle;
+    std::vector<MaterialId> material;
+    const auto add = [&](double x, double z, std::uint16_t of) {
+        const auto first = static_cast<std::uint32_t>(vertex.size());
+        vertex.insert(vertex.end(), {{x - 1, -1, z}, {x + 1, -1, z}, {x, 1, z}});
+        triangle.push_back({first, first + 1, first + 2});
+        material.push_back(MaterialId{of});
+    };
+    add(0, 5, pane);
+    add(10, 5, pane), add(10, 6, pane);
+    add(20, 5, wall), add(20, 6, pane);
+    add(30, 5, pane), add(30, 6, wall);
+    FacetSet facets;
+    append_facets(facets, vertex, triangle, material, ObjectId{1});
+    std::vector<PassedLight> passed(2);
+    passed[pane].beam = {0.0f, 0.5f};  // in proportion to the cosine
+    const RayScene scene(facets, passed);
+    std::vector<Ray> rays;
+    for (const float x : {0.0f, 10.0f, 20.0f, 30.0f, 40.0f}) {
+        rays.push_back({.origin = {x, 0.1f, 0}, .direction = {0, 0, 1}});
+    }
+    std::vector<float> share(rays.size());
+    scene.beam(rays, share);
+    CHECK(share == std::vector<float>{0.5f, 0.25f, 0.0f, 0.0f, 1.0f});
+}
+
 TEST_CASE("an empty scene is all sky", "[terrain][rays][stress][by_degenerate]") {
     const RayScene scene{FacetSet{}};
     const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0, 1}};

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "materials/base/number_of.hpp"
 #include "materials/base/parallel.hpp"
@@ -93,11 +94,13 @@ struct CastViews {
 };
 
 /// - frames: instants of all frames with this view
+/// - known: it, with the observer's samples a pixel, if it was cast before
 CastViews cast_views(const FrameWork& work, const Prepared& here, const SceneStage& stage,
                      const Observer& eye, std::span<const Instant> frames,
-                     const std::vector<ChangedSeries>& changed) {
+                     const std::vector<ChangedSeries>& changed, std::optional<View> known = {}) {
     const TemperatureField& field = work.heat.field;
-    return {here, stage.views, cast_series(here, work.input, eye, frames, stage.views, field),
+    return {here, stage.views,
+            cast_series(here, work.input, eye, frames, stage.views, field, {}, std::move(known)),
             cast_instruments(work.instruments, here, eye, frames, stage.views, field), changed};
 }
 
@@ -232,7 +235,8 @@ void render_sequence(const FrameWork& work, std::span<const std::size_t> wanted,
             work.heat, work.input, sequence.at(0), frames,
             [&](const Stages& other) { return StandingScene{.stage = other.at(s)}; });
         const CastViews cast =
-            cast_views(work, stage.prepared, stage, sequence.at(0), frames, changed.series());
+            cast_views(work, stage.prepared, stage, sequence.at(0), frames, changed.series(),
+                       work.stages.take_view(work.observer, s));
         progress.stage(StageId::frames, work.input.name);
         each(still[s],
              [&](std::size_t frame) { render_instant(work, cast, sequence.frame[frame]); });

@@ -1,6 +1,7 @@
 #include "scenes/job/run/picture_shares.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/rays/follow_rays.hpp"
 #include "render/view/cast_view.hpp"
@@ -26,15 +27,25 @@ void add_far_ground(const SceneStage& stage, const View& view, std::vector<float
     }
 }
 
+ViewOptions sampling_of(const Prepared& prepared, int samples) {
+    return {.samples = samples,
+            .seed = prepared.scene.seed,
+            .texture_levels = &prepared.world.texture_levels};
+}
+
+View cast_picture(const SceneStage& stage, int samples, const Observer& pose) {
+    const Prepared& prepared = stage.prepared;
+    return cast_view(prepared.rays, prepared.world.surfaces(), pose,
+                     sampling_of(prepared, samples));
+}
+
 /// Adds what one picture sees, the most of it and of what is there already.
-void add_picture(const SceneStage& stage, int samples, const Observer& pose, Instant when,
-                 std::vector<float>& share) {
+///
+/// - view: of the pose, with these samples
+void add_picture(const SceneStage& stage, View view, int samples, const Observer& pose,
+                 Instant when, std::vector<float>& share) {
     const Prepared& prepared = stage.prepared;
     const FacetSet& surfaces = prepared.world.surfaces();
-    const ViewOptions sampling{.samples = samples,
-                               .seed = prepared.scene.seed,
-                               .texture_levels = &prepared.world.texture_levels};
-    View view = cast_view(prepared.rays, surfaces, pose, sampling);
     const PlumeScene plumes(prepared.plumes);
     const SecondaryRays secondary_rays = follow_rays(view,
                                                      {.rays = prepared.rays,
@@ -42,7 +53,7 @@ void add_picture(const SceneStage& stage, int samples, const Observer& pose, Ins
                                                       .materials = prepared.scene.materials,
                                                       .plumes = plumes,
                                                       .wind_speed = wind_at(prepared, when)},
-                                                     pose, sampling);
+                                                     pose, sampling_of(prepared, samples));
     std::vector<float> here(share.size(), 0.0f);
     const float pixel = 1.0f / static_cast<float>(view.pixels());
     for (const Sighting& s : view.sighting) {
@@ -74,7 +85,11 @@ std::vector<float> picture_shares(const Stages& stages, int most_poses) {
             const std::size_t asked = std::min(poses, static_cast<std::size_t>(most_poses));
             for (std::size_t i = 0; i < asked; ++i) {
                 const std::size_t frame = frames[asked > 1 ? i * (poses - 1) / (asked - 1) : 0];
-                add_picture(stages.at(s), scene.scene.observers[o].samples, sequence.at(frame),
+                const int samples = scene.scene.observers[o].samples;
+                const SceneStage stage = stages.at(s);
+                View view = cast_picture(stage, samples, sequence.at(frame));
+                if (!sequence.goes) stages.keep_view(o, s, view);
+                add_picture(stage, std::move(view), samples, sequence.at(frame),
                             sequence.frame[frame], share);
             }
         }
@@ -87,7 +102,8 @@ std::vector<float> view_shares(const Stages& stages, std::span<const SeenView> v
     std::vector<float> share(stages.scene().world.surfaces().size(), 0.0f);
     for (const SeenView& view : views) {
         const std::size_t stage = movement.none() ? 0 : movement.stage_of(view.when);
-        add_picture(stages.at(stage), view.samples, view.eye, view.when, share);
+        add_picture(stages.at(stage), cast_picture(stages.at(stage), view.samples, view.eye),
+                    view.samples, view.eye, view.when, share);
     }
     return share;
 }

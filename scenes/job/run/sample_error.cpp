@@ -48,13 +48,13 @@ std::vector<float> sky_around(const View& view, const std::vector<float>& appare
 double variance_by_sun(const View& view, const PixelSun& sun, double samples) {
     const bool past = !sun.past_share.empty();
     const std::vector<float>& share = past ? sun.past_share : sun.share;
-    const double power = past ? 2.0 : 1.5;
     double sum = 0.0;
     for (std::size_t e = 0; e < sun.kelvins.size(); ++e) {
         const double weight = double{view.sighting[sun.sighting[e]].weight};
         const double s = std::clamp(double{share[e]}, 0.0, 1.0);
         const double of_one = std::pow(weight * double{sun.kelvins[e]}, 2) * s * (1.0 - s);
-        sum += of_one / std::pow(std::max(1.0, weight * samples), power);
+        const double n = std::max(1.0, weight * samples);
+        sum += of_one / (n * (past ? n : std::sqrt(n)));
     }
     return sum;
 }

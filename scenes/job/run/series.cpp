@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/waves.hpp"
@@ -53,7 +54,8 @@ double wind_at(const Prepared& prepared, Instant instant) {
 
 Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
                    std::span<const Instant> frames, const FacetViews& views,
-                   const TemperatureField& field, std::span<const std::uint8_t> asked) {
+                   const TemperatureField& field, std::span<const std::uint8_t> asked,
+                   std::optional<View> known) {
     const Scene& scene = prepared.scene;
     const FacetSet& surfaces = prepared.world.surfaces();
     Series s{.input = input,
@@ -82,8 +84,11 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
     if (!s.input.adaptive) {
         for (Appearance& look : looks) without_textures(prepared.world.texture_levels, look);
     }
+    const bool all_with_samples = asked.empty() && (!adaptive || adaptive->from == s.input.samples);
+    if (!all_with_samples) known.reset();
     s.view = adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks, *adaptive,
-                                           s.sampling)
+                                           s.sampling, std::move(known))
+             : known  ? std::move(*known)
                       : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
     if (estimated) s.view.samples.assign(s.view.pixels(), float(s.input.samples));
     s.behind =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,9 +46,11 @@ struct Series {
 /// - pose: of the observer
 /// - frames: of the pictures of the series
 /// - asked: (pixel) pixels to be cast (non-zero); empty: all (render/view/view.hpp)
+/// - known: the view of all pixels with `samples` each, if it was cast before
 Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
                    std::span<const Instant> frames, const FacetViews& views,
-                   const TemperatureField& field, std::span<const std::uint8_t> asked = {});
+                   const TemperatureField& field, std::span<const std::uint8_t> asked = {},
+                   std::optional<View> known = {});
 
 /// Wind over water at an instant [m s-1].
 double wind_at(const Prepared& prepared, Instant instant);

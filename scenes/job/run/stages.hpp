@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "render/view/view.hpp"
 #include "scenes/job/plan/prepared.hpp"
 #include "scenes/job/store/stage_store.hpp"
 #include "terrain/visibility/view_factors.hpp"
@@ -31,6 +35,11 @@ class Stages {
     SceneStage at(std::size_t stage) const;
     SceneStage at_instant(Instant when) const;
     const Prepared& scene() const { return prepared_; }
+    /// Keeps the view of a standing observer, of its samples a pixel, for its pictures in a stage:
+    /// it was cast to find what these show. Not where the views kept are large already.
+    void keep_view(std::size_t observer, std::size_t stage, View view) const;
+    /// Hands it over; nothing: none was kept.
+    std::optional<View> take_view(std::size_t observer, std::size_t stage) const;
     const StageStore* store() const { return store_.get(); }
     const std::shared_ptr<const StageStore>& shared_store() const { return store_; }
 
@@ -43,6 +52,7 @@ class Stages {
     std::shared_ptr<const StageStore> store_;
     mutable std::mutex making_;
     mutable std::vector<Own> own_;
+    mutable std::map<std::pair<std::size_t, std::size_t>, View> view_;  // (observer, stage)
 };
 
 }  // namespace diurna

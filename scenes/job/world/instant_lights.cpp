@@ -56,10 +56,12 @@ LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeri
 }
 
 InstantLights::InstantLights(const Scene& scene, const World& world, const Weather& weather)
-    : sky_(weather, world.site, weather.height, scene.sky, scene.time.start, scene.time.end()) {}
+    : sky_(weather, world.site, weather.height, scene.sky, scene.time.start, scene.time.end()) {
+    if (world.ground_facets > 0) ground_ = heights_of_ground(world);
+}
 
 LightOfInstant InstantLights::at(const Scene& scene, const World& world, Instant instant) const {
-    const HeightSpan ground = heights_of_ground(world);
+    const HeightSpan ground = ground_ ? *ground_ : heights_of_ground(world);
     const Key key{seconds_between(Instant{}, instant), ground.low, ground.high};
     {
         const std::lock_guard lock(mutex_);

@@ -3,9 +3,11 @@
 #include <array>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "materials/atmosphere/light_of_instant.hpp"
 #include "scenes/job/input/scene.hpp"
+#include "scenes/job/world/heights.hpp"
 #include "scenes/job/world/world.hpp"
 #include "thermal/weather/sky_series.hpp"
 
@@ -29,12 +31,13 @@ class InstantLights {
     InstantLights(const Scene& scene, const World& world, const Weather& weather);
 
     const SkySeries& sky() const { return sky_; }
-    /// - world: its surfaces may have moved
+    /// - world: its objects may have moved
     LightOfInstant at(const Scene& scene, const World& world, Instant instant) const;
 
  private:
     using Key = std::array<double, 3>;  // [s], lowest and highest surface [m]
     SkySeries sky_;
+    std::optional<HeightSpan> ground_;  // which does not move; nothing: a scene without ground
     mutable std::mutex mutex_;
     mutable std::map<Key, LightOfInstant> found_;
 };

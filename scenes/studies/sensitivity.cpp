@@ -193,7 +193,8 @@ void add_combined(const SensitivityInput& input, SensitivityReport& report) {
     }
     report.notes.push_back(fmt::format(
         "screening: the temperatures of {} scenes are combined from those with one value changed; "
-        "{}{}{}",
+        "{}{}{}; sigma and the standard error of mu* do not include effects of two values on the "
+        "temperatures together (exact = true does)",
         combined.scenes, error, outputs.empty() ? "" : "; outputs: ", fmt::join(outputs, ", ")));
 }
 

@@ -54,11 +54,13 @@ TEST_CASE("a sweep is not written into a folder that holds other files", "[sweep
     put(out / "variants/v0/variant.json",
         R"({"key": "k", "done": true, "outputs": {"frames/a.exr": "1"}})");
     put(out / "variants/v0/frames/a.exr", "x");
-    put(out / "heat/h0/temperatures.nc", "x");
+    put(out / "heat/h0/temperatures.nc", "CDF\2");
+    put(out / "heat/h1/done.json", "{}");
     fs::create_directories(out / "variants/v1/frames");
     CHECK(refused("out") == "nothing");
-    for (const char* file : {"variants/mine.txt", "variants/v0/frames/mine.exr",
-                             "variants/v1/notes.txt", "heat/mine.nc", "heat/h0/mine.nc"}) {
+    for (const char* file :
+         {"variants/mine.txt", "variants/v0/frames/mine.exr", "variants/v1/notes.txt",
+          "heat/mine.nc", "heat/h0/mine.nc", "heat/h1/report.txt", "heat/h1/temperatures.nc"}) {
         CAPTURE(file);
         put(out / file, "x");
         CHECK_THAT(refused("out"), Contains("which was not written by an earlier run"));

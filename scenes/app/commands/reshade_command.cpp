@@ -136,7 +136,7 @@ void reshade_verb(const ReshadeArguments& a) {
         .emissivity = a.emissivity, .reflectance = a.reflectance, .warmer = a.warmer};
     if (!a.paint.empty()) change.paint = &library[library.find(a.paint, "--paint")];
     const std::vector<fs::path> frames = chosen_frames(a);
-    const FolderLock lock(a.out);
+    std::optional<FolderLock> lock;  // creates the folder: not before a picture is understood
     for (const fs::path& file : frames) {
         const Frame frame = read_exr(file);
         if (other) {
@@ -148,6 +148,7 @@ void reshade_verb(const ReshadeArguments& a) {
             }
         }
         ReshadedFrame one = reshade(frame, facets, change);
+        if (!lock) lock.emplace(a.out);
         const std::optional<CameraTags> camera = read_camera_tags(file);
         write_exr(a.out / file.filename(), one.frame, ExrCompression::none,
                   camera ? &*camera : nullptr);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 
 #include "materials/base/error.hpp"
@@ -64,12 +65,19 @@ void check_variant(const fs::path& out, const fs::path& folder) {
     }
 }
 
-/// Without a record only those files may be there that a heat balance leaves before it.
+bool is_netcdf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(4, '\0');
+    stream.read(head.data(), std::streamsize(head.size()));
+    return head.starts_with("CDF") || head == "\x89HDF";
+}
+
+/// Only the files of a heat balance may be there; a killed one leaves no record.
 void check_heat(const fs::path& out, const fs::path& folder) {
-    if (fs::exists(folder / "done.json")) return;
     for (const auto& entry : entries_of(folder)) {
         const std::string name = entry.path().filename().string();
-        const bool own = name == "temperatures.nc" || name.starts_with("radiometer_");
+        const bool own = name == "done.json" || name.starts_with("radiometer_") ||
+                         (name == "temperatures.nc" && is_netcdf(entry.path()));
         if (!own) refuse(out, entry.path());
     }
 }

@@ -116,6 +116,7 @@ PictureWork picture_work(const Scene& scene, const World& world, const Weather& 
             each = add_onward(of_a_view(scene, world, weather, *rays, observer, sequences[o]),
                               double(sequences[o].pose.size()), frames * bands, work, work.onward);
             costly[o] = costly_pixels(world, plumes, observer, sequences[o]);
+            if (!sequences[o].goes) work.standing_views += plan_costs.view_pixel * pixels;
             add_costly(costly[o], pixels, observer.samples, sequences[o], work);
             work.onward.smoke += costly[o].smoke * pixels * frames * bands;
         }

@@ -31,6 +31,7 @@ struct PictureWork {
     FollowedLight of_instruments{};  // of their pictures
     double largest_view = 0.0;       // [bytes]
     double largest_other = 0.0;      // of a view of a scene with an uncertain value changed
+    double standing_views = 0.0;     // of observers that stand, all together
 };
 
 /// - rays, sequences: of the observers; without them no pixel sends rays on

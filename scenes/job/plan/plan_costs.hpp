@@ -86,6 +86,7 @@ struct PlanCosts {
     double freezing_facet = 4000.0;       // more of one whose water freezes, in lanes
     double surface_value = 180.0;  // of a surface of a pixel with planes of its own, and band
     double view_pixel = 160.0;
+    double most_views = 134e6;         // kept from casting to rendering (scenes/job/run/stages)
     double smoke_sample = 60.0;        // of a pixel with smoke
     double secondary_bytes = 110.0;    // of a hit of rays that go on
     double instrument_sample = 100.0;  // of radiance

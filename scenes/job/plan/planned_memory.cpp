@@ -38,6 +38,8 @@ double planned_memory(const Scene& scene, const PlannedWork& work) {
             (plan_costs.wet_facet * work.points.wet +
              plan_costs.freezing_facet * work.points.freezing) +
         (scene.output.fluxes ? 2.0 * 4.0 * work.values : 0.0);  // of the steps, and at instants
+    const double views =  // that found the visible facets, for the pictures
+        work.every ? 0.0 : std::min(plan_costs.most_views, work.pictures.standing_views);
     const double sampling = plan_costs.sampled_entry * work.sky.sampled;
     const double pictures = plan_costs.instrument_sample * work.samples +
                             work.pictures.largest_view + others * work.pictures.largest_other +
@@ -45,7 +47,7 @@ double planned_memory(const Scene& scene, const PlannedWork& work) {
                             (scene.observers.empty() ? 0.0 : plan_costs.pictured_facet * facets);
     return plan_costs.program + plan_costs.facet * facets +
            others * (plan_costs.other_scene + plan_costs.other_facet * facets) + further_stages +
-           std::max({sampling, heat, pictures});
+           std::max({sampling, heat + views, pictures});
 }
 
 }  // namespace diurna

@@ -208,7 +208,8 @@ albedo = 0.5
         CAPTURE(name);
         const fs::path out = folder.path / name;
         const auto before = contents(out);
-        CHECK(shell(program + "reshade " + at("base") + paint + at(name.c_str()) + " >/dev/null") == 2);
+        CHECK(shell(program + "reshade " + at("base") + paint + at(name.c_str()) + " >/dev/null") ==
+              2);
         CHECK(contents(out) == before);
     }
     // Mistakes: one line, nothing written.

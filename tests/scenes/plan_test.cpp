@@ -41,7 +41,7 @@ double seconds_of(StageId stage, const Plan& plan) {
     return seconds;
 }
 
-/// A crate that stops at so many places on its way.
+/// A crate that stands at a number of places along its trajectory.
 std::string crate_on_a_way(int places_of_rest) {
     std::string places, times;
     for (int i = 0; i < places_of_rest; ++i) {
